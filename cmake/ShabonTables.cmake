@@ -1,0 +1,1 @@
+# Filled by the colour room: turns data/*.csv into C++ arrays at build time.

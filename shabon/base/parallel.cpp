@@ -1,0 +1,44 @@
+#include "shabon/base/parallel.h"
+
+#if !defined(__EMSCRIPTEN__)
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace shabon {
+
+#if defined(__EMSCRIPTEN__)
+
+int thread_count(int) { return 1; }
+
+void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>& body) {
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+#else
+
+int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+  const int used = thread_count(threads);
+  if (used == 1) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
+  // More threads than cores only when asked for: the arena alone would be cut to the number of cores.
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(used));
+  tbb::task_arena arena(used);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+#endif
+
+}  // namespace shabon
