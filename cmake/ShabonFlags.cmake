@@ -11,6 +11,9 @@ target_compile_options(shabon_flags INTERFACE
   -fno-math-errno          # std::sqrt becomes one instruction; results are unchanged
   -ffp-contract=off        # the same bits from every compiler; the wide renderer variants switch it on
   -fvisibility-inlines-hidden)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(shabon_flags INTERFACE -Wno-restrict)  # false alarm on std::string (GCC bug 105651)
+endif()
 if(SHABON_WARNINGS_AS_ERRORS)
   target_compile_options(shabon_flags INTERFACE -Werror)
 endif()
