@@ -1,0 +1,32 @@
+// The stack expression: `air | water 300nm | air`, `1 | 1.38 99.6nm | 1.52`, `air | (ZnS 58nm | MgF2 99nm)^10 | glass`.
+//
+//   stack    = medium { "|" element } "|" medium          from the side the light comes from
+//   element  = layer | "(" element { "|" element } ")" "^" count       groups nest, count 1..1000
+//   layer    = medium thickness [ "incoherent" ]
+//   medium   = index | name | "file:" path | "file:" '"' path '"'
+//   index    = n | n "+" k "i" | k "i"                    exponents allowed; k < 0 is an error
+//   thickness = number unit                               unit: nm um µm mm cm, with or without a space
+//
+// An unquoted path ends at white space, "|" or ")". Names and `incoherent` ignore case, units do not.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "shabon/base/result.h"
+#include "shabon/optics/stack.h"
+
+namespace shabon::optics {
+
+// Finds the medium of a name, or of a file when `is_file`. Called once for each different name. Errors without a source
+// are placed at the name in the expression; others (a line of an n-k file) are passed on as they are.
+using MediumResolver = std::function<Result<Medium>(std::string_view name_or_file, bool is_file)>;
+
+// Knows the names of media_library() and no files.
+Result<Medium> resolve_from_library(std::string_view name_or_file, bool is_file);
+
+// The whole text as a stack. Errors: everything that is wrong, in order, up to a bound, each with source "<stack>",
+// line 1, the column in characters and the text; a text longer than 1 MiB is refused unread.
+Result<Stack> parse_stack(std::string_view text, const MediumResolver& resolver = resolve_from_library);
+
+}  // namespace shabon::optics
