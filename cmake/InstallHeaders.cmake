@@ -2,6 +2,9 @@
 # public headers of the project, and no type whose layout follows compiler flags: neither packets nor libraries that a
 # user of the installed library would have to have. Reads SHABON_HEADERS_FROM (the folder shabon/) and
 # SHABON_HEADERS_TO; leaves the public headers, relative to shabon/, in SHABON_PUBLIC_HEADERS.
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.25)
+
 set(private_headers "^math/packet|^optics/packet/|^render/kernel")
 
 file(GLOB_RECURSE headers RELATIVE ${SHABON_HEADERS_FROM} ${SHABON_HEADERS_FROM}/*.h)
@@ -46,3 +49,5 @@ foreach(header IN LISTS SHABON_PUBLIC_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
   file(INSTALL DESTINATION ${SHABON_HEADERS_TO}/${folder} TYPE FILE FILES ${SHABON_HEADERS_FROM}/${header})
 endforeach()
+
+cmake_policy(POP)

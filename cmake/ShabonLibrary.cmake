@@ -5,8 +5,12 @@ include(CMakePackageConfigHelpers)
 set(SHABON_SOVERSION 0)
 set(SHABON_HWCAPS glibc-hwcaps/x86-64-)  # the folder names that the loader knows: x86-64-v3, x86-64-v4
 file(RELATIVE_PATH SHABON_BIN_TO_LIB ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set(CMAKE_INSTALL_RPATH "$ORIGIN/${SHABON_BIN_TO_LIB}")  # of the programs; the library sits beside none of its own
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
-set(CMAKE_INSTALL_RPATH "$ORIGIN/${SHABON_BIN_TO_LIB}")  # of the programs; the library itself needs none
+if(SHABON_BIN_TO_LIB STREQUAL "../lib")  # the build folder is laid out alike: no second path, none to replace
+  set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
+endif()
 
 # shabon_link_library(TARGET SUFFIX): a shared library of every room that has sources, in the variant SUFFIX where a
 # room has variants.
@@ -35,7 +39,7 @@ function(shabon_link_library target suffix)
   target_link_options(${target} PRIVATE LINKER:--version-script=${symbols} LINKER:-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES
     OUTPUT_NAME shabon VERSION ${PROJECT_VERSION} SOVERSION ${SHABON_SOVERSION} LINKER_LANGUAGE CXX
-    LINK_DEPENDS ${symbols} SKIP_BUILD_RPATH ON INSTALL_RPATH "")
+    LINK_DEPENDS ${symbols} INSTALL_RPATH "")
 endfunction()
 
 shabon_link_library(libshabon "")
