@@ -1,0 +1,44 @@
+// All spheres of a scene and the next wall that a ray meets. Embree finds the candidates; the crossing itself is
+// computed in double by sphere.h, so that a few spheres looked at one by one give the same answer.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shabon/geometry/sphere.h"
+
+namespace shabon::geometry {
+
+inline constexpr int no_sphere = -1;
+
+struct WallHit {
+  double distance = 0;
+  int sphere = no_sphere;
+};
+
+class SphereSet {
+ public:
+  // Up to this many spheres are looked at one by one: that is faster than a tree (bench/geometry measures it).
+  static constexpr int few = 8;
+
+  explicit SphereSet(std::vector<SphereShape> spheres);
+  ~SphereSet();
+  SphereSet(SphereSet&&) noexcept;
+  SphereSet& operator=(SphereSet&&) noexcept;
+
+  // The first wall in front of `origin` along the unit vector `direction`. A ray that starts on the wall of sphere
+  // `from` does not meet that wall again, only its other side. At equal distances the sphere listed first is met first.
+  std::optional<WallHit> next_wall(math::Vec3d origin, math::Vec3d direction, int from = no_sphere) const;
+
+  std::span<const SphereShape> spheres() const { return spheres_; }
+  bool has_few() const { return spheres_.size() <= static_cast<std::size_t>(few); }
+
+ private:
+  struct Tree;
+  std::vector<SphereShape> spheres_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace shabon::geometry

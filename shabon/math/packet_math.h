@@ -1,0 +1,53 @@
+// Functions of packets that have no instruction of their own. Each states its error; tests/unit/math checks it.
+#pragma once
+
+#include <numbers>
+
+#include "shabon/math/packet.h"
+
+namespace shabon::math {
+inline namespace SHABON_REGISTERS {
+
+// sin(pi x) and cos(pi x) for |x| <= 1/2, minimax polynomials in x^2; absolute error below 1.5e-7 in float.
+template <int N>
+inline packet<float, N> sin_pi_reduced(packet<float, N> x) {
+  const packet<float, N> y = x * x;
+  packet<float, N> p = y * -7.3704309e-3f + 8.2145887e-2f;
+  p = p * y - 5.9926453e-1f;
+  p = p * y + 2.5501640f;
+  p = p * y - 5.1677128f;
+  p = p * y + 3.1415927f;
+  return p * x;
+}
+
+// The angle of (x, y) in radians, -pi..pi; absolute error below 4e-7. atan2(0, 0) is 0.
+template <int N>
+inline packet<float, N> atan2(packet<float, N> y, packet<float, N> x) {
+  using P = packet<float, N>;
+  const P ax = abs(x), ay = abs(y);
+  const P larger = max(ax, ay), smaller = min(ax, ay);
+  const P t = smaller / max(larger, P(1e-37f));
+  const P s = t * t;
+  // atan(t)/t on 0..1, least maximum error, degree 8 in t^2.
+  P p = s * 0.0028662257f - 0.0161657367f;
+  p = p * s + 0.0429096138f;
+  p = p * s - 0.0752896400f;
+  p = p * s + 0.1065626393f;
+  p = p * s - 0.1420889944f;
+  p = p * s + 0.1999355085f;
+  p = p * s - 0.3333314528f;
+  P angle = p * s * t + t;
+  angle = select(ay > ax, P(std::numbers::pi / 2) - angle, angle);
+  angle = select(x < P(0.0f), P(std::numbers::pi) - angle, angle);
+  return select(y < P(0.0f), -angle, angle);
+}
+
+// The angle, 0..pi, whose cosine is x; |x| <= 1, beyond that it is clamped. Absolute error below 4e-7.
+template <int N>
+inline packet<float, N> acos(packet<float, N> x) {
+  using P = packet<float, N>;
+  return atan2(sqrt(max(P(0.0f), (P(1.0f) - x) * (P(1.0f) + x))), x);
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::math

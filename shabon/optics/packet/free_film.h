@@ -1,0 +1,91 @@
+// The lossless film between equal media, for many wavelengths at once, in the real form of equation (10):
+//   r_s = -i H_s sin(beta)/(cos(beta) - i G_s sin(beta)),  t_s = 1/(cos(beta) - i G_s sin(beta)), likewise p, with
+//   H_s = (q1^2 - q2^2)/(2 q1 q2), G_s = (q1^2 + q2^2)/(2 q1 q2), q = n cos(theta).
+// Multiplied through by Y = 4 q1^2 q2^2 everything is a polynomial over one shared denominator: no sum of near-equal
+// terms, no special spot at grazing incidence.
+#pragma once
+
+#include "shabon/optics/packet/phase.h"
+
+namespace shabon::optics {
+inline namespace SHABON_REGISTERS {
+
+// What the angle and the indices decide. L is float (index constant over wavelengths) or packet<float, N>.
+template <class L>
+struct FreeFilmFactors {
+  L contrast;   // X = (n2^2 - n1^2)^2
+  L crossing;   // Y = 4 q1^2 q2^2
+  L brewster;   // g = 1 - kappa (1/n1^2 + 1/n2^2), kappa = n1^2 sin^2(theta1); zero at Brewster's angle
+  L mean;       // P_s P_p = (q1^2 + q2^2)(q1^2 n2^2/n1^2 + q2^2 n1^2/n2^2)
+  L twist;      // 2 q1 q2 (n2^2 - n1^2)^2 kappa/(n1^2 n2^2), which turns linear light elliptical
+};
+
+// cos_i^2 is kept above this, so that the factors of a ray exactly along the film stay finite; R is 1 there to 1e-7.
+inline constexpr double least_cos2 = 1e-16;
+
+template <class L, class D>
+inline FreeFilmFactors<L> free_film_factors(D n1_squared, D n2_squared, D q1_squared, D q2_squared, D q1q2) {
+  const D kappa = n1_squared - q1_squared;
+  const D step = n2_squared - n1_squared;
+  const D product = n1_squared * n2_squared;
+  const D ratio = kappa / product;
+  const D n1_4 = n1_squared * n1_squared, n2_4 = n2_squared * n2_squared;
+  FreeFilmFactors<L> f;
+  f.contrast = L(step * step);
+  f.crossing = L(D(4.0) * q1_squared * q2_squared);
+  f.brewster = L(D(1.0) - ratio * (n1_squared + n2_squared));
+  f.mean = L((q1_squared + q2_squared) * (q1_squared * n2_4 + q2_squared * n1_4) / product);
+  f.twist = L(D(2.0) * q1q2 * step * step * ratio);
+  return f;
+}
+
+// Reflectance and transmittance of both polarisations.
+template <int N>
+struct FilmPowers {
+  math::packet<float, N> R_s, R_p, T_s, T_p;
+};
+
+template <int N, class L>
+inline FilmPowers<N> free_film_powers(const FreeFilmFactors<L>& f, math::packet<float, N> sin2) {
+  using P = math::packet<float, N>;
+  const P Y(f.crossing);
+  const P a = P(f.contrast) * sin2;
+  const P b = a * P(f.brewster * f.brewster);
+  const P both_s = Y + a, both_p = Y + b;
+  const P one_over = 1.0f / (both_s * both_p);
+  const P over_s = both_p * one_over, over_p = both_s * one_over;
+  return {a * over_s, b * over_p, Y * over_s, Y * over_p};
+}
+
+// The two blocks of the Mueller row, equation (16): a = (|x_s|^2 + |x_p|^2)/2, b = (|x_s|^2 - |x_p|^2)/2,
+// c + i d = x_s conj(x_p) for x = r and x = t.
+template <int N>
+struct MuellerBlock {
+  math::packet<float, N> a, b, c, d;
+};
+
+template <int N>
+struct FilmMueller {
+  MuellerBlock<N> reflected, transmitted;
+};
+
+template <int N, class L>
+inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FilmPhase<N>& phase) {
+  using P = math::packet<float, N>;
+  const P Y(f.crossing), g(f.brewster);
+  const P x = P(f.contrast) * phase.sin2;
+  const P y = x * g * g;
+  const P both_s = Y + x, both_p = Y + y;
+  const P one_over = 1.0f / (both_s * both_p);
+  const P over_s = both_p * one_over, over_p = both_s * one_over;
+  const P half(0.5f);
+  const P R_s = x * over_s * half, R_p = y * over_p * half, T_s = Y * over_s * half, T_p = Y * over_p * half;
+  const P in_phase = (Y * (1.0f - phase.sin2) + P(f.mean) * phase.sin2) * one_over;
+  const P quarter = P(f.twist) * phase.sin_cos * one_over;
+  const P turned = -(x * g);  // H_s H_p u Y: s and p reflect in opposite sense below Brewster's angle
+  return {{R_s + R_p, R_s - R_p, turned * in_phase, turned * quarter},
+          {T_s + T_p, T_s - T_p, Y * in_phase, Y * quarter}};
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::optics

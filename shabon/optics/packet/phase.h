@@ -1,0 +1,36 @@
+// The film's phase for many wavelengths: formed in double, reduced, then float; equation (6).
+#pragma once
+
+#include "shabon/math/packet_math.h"
+
+namespace shabon::optics {
+inline namespace SHABON_REGISTERS {
+
+template <int N>
+struct FilmPhase {
+  math::packet<float, N> sin2;     // u = sin^2(beta)
+  math::packet<float, N> sin_cos;  // v = sin(beta) cos(beta)
+};
+
+// phase_cycles = n d cos(theta2) / lambda, so that beta = 2 pi phase_cycles. u and v repeat every half cycle. Both come
+// out with a small relative error also where they vanish, which the narrow fringes at grazing incidence need.
+template <int N>
+inline FilmPhase<N> film_phase(math::packet<double, N> phase_cycles) {
+  const math::packet<double, N> half_turns = phase_cycles + phase_cycles;
+  const auto x = math::convert<float>(half_turns - math::round(half_turns));
+  const auto s = math::sin_pi_reduced(x);
+  // cos(pi x) = 1 - 2 sin^2(pi x / 2) has no cancellation for |x| <= 1/2, and a positive sign there.
+  const auto h = math::sin_pi_reduced(x * 0.5f);
+  const auto c = 1.0f - 2.0f * (h * h);
+  return {s * s, s * c};
+}
+
+template <int N>
+inline math::packet<float, N> film_phase_sin2(math::packet<double, N> phase_cycles) {
+  const math::packet<double, N> half_turns = phase_cycles + phase_cycles;
+  const auto s = math::sin_pi_reduced(math::convert<float>(half_turns - math::round(half_turns)));
+  return s * s;
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::optics
