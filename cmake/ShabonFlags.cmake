@@ -6,7 +6,6 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 add_library(shabon_flags INTERFACE)
-target_compile_definitions(shabon_flags INTERFACE SHABON_VERSION="${PROJECT_VERSION}")
 target_compile_options(shabon_flags INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor
   -fno-math-errno               # std::sqrt becomes one instruction; results are unchanged
