@@ -1,5 +1,6 @@
 // The film of the 1989 paper (Yokoi, Suzuki, Toriwaki), its slips corrected: the beam reflected at the first wall and
-// the one reflected once at the second interfere, the transmitted light does not. Approximate: R and T need not sum to 1.
+// the one reflected once at the second interfere, the transmitted light does not. Approximate: R and T need not sum
+// to 1.
 #pragma once
 
 #include <complex>

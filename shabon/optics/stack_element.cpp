@@ -1,0 +1,253 @@
+#include "shabon/optics/stack_element.h"
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "shabon/base/text.h"
+
+namespace shabon::optics {
+
+namespace {
+
+constexpr double smallest_index = 1e-4, largest_index = 1e4;  // of |n + ik|: far beyond any medium
+
+struct Unit {
+  std::string_view name;
+  double nm;
+};
+constexpr std::array<Unit, 6> units = {{
+    {"nm", 1}, {"um", 1e3}, {"\u00B5m", 1e3}, {"\u03BCm", 1e3}, {"mm", 1e6}, {"cm", 1e7},  // micro sign, Greek mu
+}};
+constexpr std::string_view unit_names = "nm, um, \u00B5m, mm or cm";
+
+const Unit* find_unit(std::string_view name) {
+  for (const Unit& unit : units)
+    if (unit.name == name) return &unit;
+  return nullptr;
+}
+
+std::string text_of(std::string_view view) { return std::string(view); }
+
+}  // namespace
+
+StackElement StackElementParser::parse() {
+  StackElement element;
+  element.begin = reader_.offset();
+  element.medium = parse_medium();
+  element.medium_end = reader_.offset();
+  const auto broken = [&] {
+    element.broken = true;
+    reader_.skip_element();
+    return element;
+  };
+  if (!element.medium && !reader_.at_delimiter()) return broken();
+  reader_.skip_space();
+  if (reader_.at_number()) {
+    element.thickness_begin = reader_.offset();
+    if (!parse_thickness(element.thickness_nm)) return broken();
+    reader_.skip_space();
+    const std::size_t word_begin = reader_.offset();
+    if (reader_.at_letter()) {
+      element.coherent = !same_name(reader_.take_until_delimiter(), "incoherent");
+      if (element.coherent) {
+        reader_.expected("'|' or 'incoherent'", word_begin);
+        return broken();
+      }
+    }
+  } else if (!reader_.at_end() && !reader_.at('|') && !reader_.at('(') && !reader_.at(')')) {
+    if (element.medium) reader_.expected(text_of(thickness_form), reader_.offset());
+    return broken();
+  }
+  element.broken = !element.medium;
+  return element;
+}
+
+std::optional<Medium> StackElementParser::parse_medium() {
+  if (reader_.at_number()) return parse_index();
+  if (reader_.at_letter()) return parse_name();
+  if (reader_.at('"')) {
+    reader_.problem(reader_.offset(), "expected file: before a quoted path");
+    return {};
+  }
+  reader_.expected(text_of(medium_forms), reader_.offset());
+  return {};
+}
+
+// The number at the offset; `begin` is where the message points.
+std::optional<double> StackElementParser::parse_real(std::size_t begin) {
+  const std::string_view digits = reader_.take_number();
+  if (digits.empty()) {
+    reader_.expected(text_of(medium_forms), begin);
+    return {};
+  }
+  const auto value = parse_number(digits);
+  if (!value) reader_.expected("a finite number", begin);
+  return value;
+}
+
+// n, n+ki or ki.
+std::optional<Medium> StackElementParser::parse_index() {
+  const std::size_t begin = reader_.offset();
+  const auto first = parse_real(begin);
+  if (!first) return {};
+  double n = *first, k = 0;
+  if (reader_.at('i')) {
+    reader_.advance();
+    std::swap(n, k);
+  } else if (!parse_imaginary(k)) {
+    return {};
+  }
+  if (reader_.at_delimiter()) return check_index(begin, n, k);
+
+  const std::size_t rest = reader_.offset();
+  const bool is_thickness = find_unit(reader_.take_letters()) && reader_.at_delimiter();
+  reader_.go_to(rest);
+  if (is_thickness)
+    reader_.expected(text_of(medium_forms) + " before the thickness", begin);
+  else
+    reader_.expected("a number such as 1.38 or 2.4+0.01i", begin);
+  return {};
+}
+
+// "+ki" or "-ki" after n, when it is there. False after a problem.
+bool StackElementParser::parse_imaginary(double& k) {
+  const std::size_t real_end = reader_.offset();
+  reader_.skip_space();
+  const bool spaced = reader_.offset() > real_end;
+  const std::size_t sign_begin = reader_.offset();
+  if (!reader_.at('+') && !reader_.at('-')) {
+    reader_.go_to(real_end);
+    return true;
+  }
+  const double sign = reader_.at('-') ? -1 : 1;
+  reader_.advance();
+  reader_.skip_space();
+  const std::string_view digits = reader_.at('+') || reader_.at('-') ? std::string_view() : reader_.take_number();
+  if (!digits.empty() && reader_.at('i')) {
+    reader_.advance();
+    const auto value = parse_number(digits);
+    if (!value) reader_.expected("a finite number", sign_begin);
+    k = sign * value.value_or(0);
+    if (k < 0) reader_.expected("k >= 0 in n+ki (k > 0 absorbs)", sign_begin);
+    return value && !(k < 0);
+  }
+  if (spaced) {  // a thickness with a sign
+    reader_.go_to(real_end);
+    return true;
+  }
+  reader_.expected("an imaginary part such as +0.01i", sign_begin);
+  return false;
+}
+
+std::optional<Medium> StackElementParser::check_index(std::size_t begin, double n, double k) {
+  if (n < 0) {
+    reader_.expected("an index n >= 0", begin);
+    return {};
+  }
+  if (k < 0) {
+    reader_.expected("k >= 0 in ki (k > 0 absorbs)", begin);
+    return {};
+  }
+  const std::complex<double> index(n + 0.0, k + 0.0);  // no negative zeros
+  const double magnitude = std::abs(index);
+  if (!(magnitude >= smallest_index && magnitude <= largest_index)) {
+    reader_.expected("an index of magnitude " + format_number(smallest_index) + ".." + format_number(largest_index, 6),
+                     begin);
+    return {};
+  }
+  return Medium::constant(index);
+}
+
+std::optional<Medium> StackElementParser::parse_name() {
+  const std::size_t begin = reader_.offset();
+  while (!reader_.at_delimiter() && !reader_.at(':') && !reader_.at('"')) reader_.advance();
+  if (reader_.at(':') && same_name(reader_.from(begin), "file")) {
+    reader_.advance();
+    return parse_file();
+  }
+  reader_.take_until_delimiter();
+  const std::string_view name = reader_.from(begin);
+  if (same_name(name, "incoherent")) {
+    reader_.expected(text_of(medium_forms) + " and a thickness before 'incoherent'", begin);
+    return {};
+  }
+  for (std::string_view word : {"nan", "inf", "infinity"}) {
+    if (!same_name(name, word)) continue;
+    reader_.expected("a finite index", begin);
+    return {};
+  }
+  return resolve(name, false, begin);
+}
+
+// After "file:".
+std::optional<Medium> StackElementParser::parse_file() {
+  const std::size_t begin = reader_.offset();
+  std::string_view path;
+  if (reader_.at('"')) {
+    reader_.advance();
+    bool closed = false;
+    path = reader_.take_through('"', closed);
+    if (!closed) {
+      reader_.problem(begin, "expected '\"' to close the path that starts here");
+      reader_.stop();
+      return {};
+    }
+    if (!reader_.at_delimiter()) {
+      reader_.expected("white space or '|' after the path", reader_.offset());
+      return {};
+    }
+  } else {
+    // Only white space and what can follow a layer end a path; '(' and '^' may be part of it.
+    while (!reader_.at_delimiter() || reader_.at('(') || reader_.at('^')) reader_.advance();
+    path = reader_.from(begin);
+  }
+  if (path.empty()) {
+    reader_.expected("a path after file:", begin);
+    return {};
+  }
+  return resolve(path, true, begin);
+}
+
+std::optional<Medium> StackElementParser::resolve(std::string_view name, bool is_file, std::size_t offset) {
+  auto [entry, is_new] = resolved_.try_emplace({is_file, text_of(name)});
+  if (!is_new) return entry->second;
+  const auto medium = resolver_ ? resolver_(name, is_file) : resolve_from_library(name, is_file);
+  if (medium.ok())
+    entry->second = medium.value();
+  else
+    reader_.problems(offset, medium.errors());
+  return entry->second;
+}
+
+bool StackElementParser::parse_thickness(double& thickness_nm) {
+  const std::size_t begin = reader_.offset();
+  const std::string_view digits = reader_.take_number();
+  const auto value = digits.empty() ? std::nullopt : parse_number(digits);
+  if (!value) {
+    reader_.expected(digits.empty() ? text_of(thickness_form) : "a finite thickness", begin);
+    return false;
+  }
+  reader_.skip_space();
+  const std::size_t unit_begin = reader_.offset();
+  const Unit* unit = find_unit(reader_.take_letters());
+  if (!unit) {
+    reader_.expected("a unit of length (" + text_of(unit_names) + ") after " + text_of(digits), unit_begin);
+    return false;
+  }
+  thickness_nm = *value * unit->nm;
+  if (*value < 0) {
+    reader_.expected("a thickness >= 0", begin);
+    return false;
+  }
+  if (!(thickness_nm <= largest_thickness_nm)) {
+    reader_.expected("a thickness of at most 1 m (" + format_number(largest_thickness_nm, 6) + " nm)", begin);
+    return false;
+  }
+  thickness_nm += 0.0;  // no negative zero
+  return true;
+}
+
+}  // namespace shabon::optics

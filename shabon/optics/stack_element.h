@@ -1,0 +1,55 @@
+// One element of a stack expression: what stands between two bars.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "shabon/optics/expression_reader.h"
+#include "shabon/optics/stack_expression.h"
+
+namespace shabon::optics {
+
+inline constexpr std::string_view medium_forms = "a medium (a number, a name or file:PATH)";
+inline constexpr std::string_view thickness_form = "a thickness such as 300nm";
+
+// A medium with whatever follows it. Offsets count bytes of the text.
+struct StackElement {
+  std::size_t begin = 0;
+  std::optional<Medium> medium;  // nothing when it could not be read
+  std::size_t medium_end = 0;
+  std::optional<std::size_t> thickness_begin;  // nothing when there is no thickness
+  double thickness_nm = 0;
+  bool coherent = true;
+  bool broken = false;  // its problems are kept by the reader
+};
+
+class StackElementParser {
+ public:
+  // Both outlive the parser.
+  StackElementParser(ExpressionReader& reader, const MediumResolver& resolver) : reader_(reader), resolver_(resolver) {}
+
+  // From the reader's offset; leaves it before the |, ( or ) that follows, or at the end.
+  StackElement parse();
+
+ private:
+  std::optional<Medium> parse_medium();
+  std::optional<Medium> parse_index();
+  std::optional<double> parse_real(std::size_t begin);
+  bool parse_imaginary(double& k);
+  std::optional<Medium> check_index(std::size_t begin, double n, double k);
+  std::optional<Medium> parse_name();
+  std::optional<Medium> parse_file();
+  std::optional<Medium> resolve(std::string_view name, bool is_file, std::size_t offset);
+  bool parse_thickness(double& thickness_nm);
+
+  ExpressionReader& reader_;
+  const MediumResolver& resolver_;
+  std::map<std::pair<bool, std::string>, std::optional<Medium>> resolved_;  // each name once
+};
+
+}  // namespace shabon::optics
