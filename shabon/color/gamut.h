@@ -11,7 +11,7 @@ namespace shabon::color {
 
 enum class GamutMapping {
   clip,           // each component to 0..1; simple, but changes hue and lightness
-  reduce_chroma,  // Oklab hue and lightness stay, chroma shrinks to the boundary of sRGB
+  reduce_chroma,  // lightness and, nearly, hue stay; chroma shrinks to the boundary of sRGB
 };
 
 struct GamutMappingEntry {
