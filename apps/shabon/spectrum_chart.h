@@ -1,0 +1,13 @@
+// The table of `shabon spectrum` as a drawing.
+#pragma once
+
+#include <string>
+
+#include "spectrum_table.h"
+
+namespace shabon::app {
+
+// Lines over the wavelength, one set for each angle; over the angle when there is a single wavelength.
+std::string spectrum_svg(const SpectrumTable& table);
+
+}  // namespace shabon::app

@@ -1,0 +1,25 @@
+#include "stack_input.h"
+
+#include "options.h"
+#include "shabon/api/desk.h"
+#include "shabon/api/resolvers.h"
+#include "shabon/optics/stack_expression.h"
+
+namespace shabon::app {
+
+void add_stack_input(CLI::App& app, StackInput& input) {
+  app.add_option("STACK", input.expression, "Stack expression, such as 'air | water 300nm | air'")
+      ->type_name("")
+      ->required();
+  add_choice(app, "--interference", input.interference_index, optics::interference_models, "Model of interference");
+}
+
+Result<optics::Stack> read_stack(const StackInput& input) {
+  Result<optics::Stack> stack = optics::parse_stack(input.expression, api::medium_resolver());
+  if (!stack) return stack;
+  const Status computable = api::check_computable(*stack, input.interference());
+  if (!computable) return computable.errors();
+  return stack;
+}
+
+}  // namespace shabon::app

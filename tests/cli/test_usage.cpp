@@ -1,0 +1,148 @@
+// Flags, ranges, help, and what a failing standard output does: every exit code but those of a scene.
+#include <gtest/gtest.h>
+
+#include "child.h"
+#include "shabon/api/version.h"
+#include "shabon/base/text.h"
+
+namespace shabon::test {
+namespace {
+
+const std::string film = "air | water 300nm | air";
+const std::vector<std::string> command_names = {"render", "probe", "spectrum", "color", "media", "lamps"};
+
+struct Case {
+  std::vector<std::string> arguments;
+  int exit_code;
+  std::string said;  // a part of standard error
+};
+
+std::string shown(const std::vector<std::string>& arguments) {
+  std::string text = "shabon";
+  for (const std::string& argument : arguments) text += " '" + argument + "'";
+  return text;
+}
+
+const std::vector<Case> usage_errors = {
+    {{}, 2, "a command is needed"},
+    {{"spectrm", film}, 2, "did you mean 'spectrum'?"},
+    {{"xyzzy"}, 2, "unknown command 'xyzzy'"},
+    {{"--colour"}, 2, "--colour"},
+    {{"spectrum"}, 2, "STACK"},
+    {{"spectrum", film, "--angel", "3"}, 2, "did you mean '--angle'?"},
+    {{"spectrum", "air", "|", "water"}, 2, "needs quotes"},
+    {{"spectrum", film, "--angle"}, 2, "--angle"},
+    {{"spectrum", film, "--angle", "90.001"}, 2, "expected a number from 0 to 90 degrees, got '90.001'"},
+    {{"spectrum", film, "--angle", "-.5"}, 2, "got '-0.5'"},
+    {{"spectrum", film, "--angle", "0,30,x"}, 2, "got 'x'"},
+    {{"spectrum", film, "--angle", "nan"}, 2, "got 'nan'"},
+    {{"spectrum", film, "--angle", ""}, 2, "got ''"},
+    {{"spectrum", film, "--angle="}, 2, "--angle= lacks a value"},
+    {{"spectrum", film, "--angle", "0x10"}, 2, "got '0x10'"},
+    {{"spectrum", film, "--angle", "45,5 "}, 0, ""},
+    {{"spectrum", film, "--wavelengths", "360:830"}, 2, "A:B:STEP"},
+    {{"spectrum", film, "--wavelengths", "830:360:5"}, 2, "A <= B"},
+    {{"spectrum", film, "--wavelengths", "360:830:0"}, 2, "a number above 0 nm"},
+    {{"spectrum", film, "--wavelengths", "360:830:-5"}, 2, "a number above 0 nm"},
+    {{"spectrum", film, "--wavelengths", "0"}, 2, "got '0'"},
+    {{"spectrum", film, "--wavelengths", "400,,500"}, 2, "got ''"},
+    {{"spectrum", film, "--wavelengths", "1:1000000:1e-9"}, 2, "at most"},
+    {{"spectrum", film, "--wavelengths", "400:500:0.001", "--angle",
+      "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21"},
+     2,
+     "at most"},
+    {{"spectrum", film, "--wavelengths", "400", "--wavelengths", "500"}, 2, "--wavelengths"},
+    {{"spectrum", film, "--format", "xml"}, 2, "unknown value 'xml'; known: csv, json, svg"},
+    {{"spectrum", film, "--interference", "aryi"}, 2, "did you mean 'airy'?"},
+    {{"color", film, "--illuminant", "D56"}, 2, "unknown value 'D56'"},
+    {{"color", film, "--observer", "1924"}, 2, "unknown value '1924'"},
+    {{"color", film, "--angle", "91"}, 2, "0 to 90 degrees"},
+    {{"color", film, "extra"}, 2, "unexpected argument 'extra'"},
+    {{"color", film, "--format", "csv"}, 2, "unknown value 'csv'"},
+    {{"media", "--format", "svg"}, 2, "unknown value 'svg'"},
+    {{"lamps", "extra"}, 2, "unexpected argument 'extra'"},
+};
+
+TEST(Usage, WrongFlagsEndWithTwo) {
+  for (const Case& c : usage_errors) {
+    const Outcome outcome = run(c.arguments);
+    EXPECT_EQ(outcome.exit_code, c.exit_code) << shown(c.arguments) << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(c.said), std::string::npos) << shown(c.arguments) << "\n" << outcome.err;
+    if (c.exit_code != 0) EXPECT_EQ(outcome.out, "") << shown(c.arguments);
+  }
+}
+
+TEST(Usage, WrongFlagsNameTheHelpOfTheirCommand) {
+  EXPECT_NE(run({"color", film, "--angle", "91"}).err.find("'shabon color --help'"), std::string::npos);
+}
+
+const std::vector<Case> content_errors = {
+    {{"spectrum", ""}, 3, "<stack>"},
+    {{"spectrum", "air | watr 300nm | air"}, 3, "did you mean 'water'?"},
+    {{"spectrum", "air | water | air"}, 3, "<stack>:1:"},
+    {{"spectrum", "air | 1.3-0.1i 3nm | air"}, 3, "<stack>:1:"},
+    {{"color", "air | water -3nm | air"}, 3, "<stack>:1:"},
+    {{"spectrum", "air | water 3nm | 1.5 4nm | air"}, 3, "at most one layer, got 2"},
+    {{"spectrum", "air | (1.5 3nm | 1.3 4nm)^5 | air", "--interference", "two-beam"}, 3, "use airy"},
+    {{"color", "air | water 3nm | 1.5 4nm | air", "--interference", "two-beam"}, 3, "use airy"},
+    {{"spectrum", "air | 1.5 1mm incoherent | air"}, 3, "incoherent"},
+    {{"spectrum", "air | file:nothing-here.csv 3nm | air"}, 4, "nothing-here.csv"},
+};
+
+TEST(Usage, WrongStacksEndWithThree) {
+  for (const Case& c : content_errors) {
+    for (const char* command : {"spectrum", "color"}) {
+      std::vector<std::string> arguments = c.arguments;
+      arguments[0] = command;
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exit_code, c.exit_code) << shown(arguments) << "\n" << outcome.err;
+      EXPECT_NE(outcome.err.find(c.said), std::string::npos) << shown(arguments) << "\n" << outcome.err;
+      EXPECT_EQ(outcome.out, "") << shown(arguments);
+    }
+  }
+}
+
+TEST(Usage, HelpHasExamplesAndGoesToStandardOutput) {
+  const Outcome top = run({"--help"});
+  EXPECT_EQ(top.exit_code, 0);
+  EXPECT_EQ(top.err, "");
+  for (const std::string& name : command_names) {
+    EXPECT_NE(top.out.find(name), std::string::npos) << name;
+    const Outcome help = run({name, "--help"});
+    EXPECT_EQ(help.exit_code, 0) << name;
+    EXPECT_EQ(help.err, "") << name;
+    EXPECT_NE(help.out.find("Example"), std::string::npos) << name;
+    EXPECT_NE(help.out.find("shabon " + name), std::string::npos) << name;
+    EXPECT_EQ(run({name, "-h"}).out, help.out) << name;
+  }
+}
+
+TEST(Usage, VersionIsThatOfTheLibrary) {
+  const Outcome outcome = run({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "shabon " + std::string(version()) + "\n");
+}
+
+TEST(Usage, StandardOutputThatTakesNothingEndsWithFour) {
+  const std::vector<std::vector<std::string>> printing = {
+      {"--help"}, {"--version"}, {"spectrum", film}, {"color", film}, {"media"}, {"lamps"}, {"spectrum", "--help"}};
+  using Output = Setting::Output;
+  for (const std::vector<std::string>& arguments : printing) {
+    for (const Output output : {Output::device_full, Output::closed_pipe, Output::closed}) {
+      Setting setting;
+      setting.output = output;
+      const Outcome outcome = run(arguments, setting);
+      EXPECT_EQ(outcome.exit_code, 4) << shown(arguments) << static_cast<int>(output);
+      EXPECT_NE(outcome.err.find("cannot write to standard output"), std::string::npos) << shown(arguments);
+    }
+  }
+}
+
+TEST(Usage, NumbersIgnoreTheLocale) {
+  Setting setting;
+  setting.environment = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
+  EXPECT_EQ(run({"spectrum", film}, setting).out, run({"spectrum", film}).out);
+}
+
+}  // namespace
+}  // namespace shabon::test
