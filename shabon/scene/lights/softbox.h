@@ -8,6 +8,8 @@
 
 namespace shabon::scene {
 
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+
 // All directions within `half_angle` of the axis.
 struct RoundSoftbox {
   math::Vec3d axis;           // towards the lamp, unit length
@@ -45,8 +47,6 @@ struct WindowSoftbox {
 };
 
 using Softbox = std::variant<RoundSoftbox, WindowSoftbox>;
-
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
 RoundSoftbox round_softbox(math::Vec3d direction, double half_angle_rad, int channel, double scale);
 

@@ -1,0 +1,89 @@
+#include "shabon/scene/film_parts.h"
+
+#include <complex>
+
+#include "shabon/base/field.h"
+#include "shabon/base/text.h"
+#include "shabon/color/spectrum.h"
+#include "shabon/scene/value.h"
+
+namespace shabon::scene {
+
+namespace {
+
+// No medium known at visible wavelengths leaves this range, and its squares stay exact in float.
+constexpr Range index_modulus_range{.low = 0.01, .high = 100};
+
+bool has_sane_index(const optics::Medium& medium, const Path& path, Problems& problems) {
+  for (const int nm : {color::first_nm, (color::first_nm + color::last_nm) / 2, color::last_nm}) {
+    const double modulus = std::abs(medium.index(nm));
+    if (index_modulus_range.contains(modulus)) continue;
+    problems.add(path, "expected a medium whose index has a modulus " + range_text({.range = index_modulus_range}) +
+                           ", got " + format_number(modulus, 6) + " for '" + medium.name() + "'");
+    return false;
+  }
+  return true;
+}
+
+std::optional<optics::Stack> understood(Result<optics::Stack> stack, const Path& path, Problems& problems) {
+  if (stack) return *std::move(stack);
+  for (const Diagnostic& inner : stack.errors()) problems.add_from_text(path, inner);
+  return {};
+}
+
+}  // namespace
+
+std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
+                                    Problems& problems) {
+  const Path medium{&path, "medium"};
+  if (problems.has(medium)) return {};
+  if (trim(film.medium).empty()) {
+    problems.add(medium, "expected the name of a medium or its index, got an empty text");
+    return {};
+  }
+  // A medium alone is the shortest stack's first half; the expression's parser knows all ways to write one.
+  const bool whole_stack = film.medium.find('|') != std::string::npos;
+  const auto stack = whole_stack ? std::nullopt : understood(optics::parse_stack(film.medium + " | vacuum", resolver), medium, problems);
+  if (whole_stack) problems.add(medium, "expected one medium, got several layers; 'stack' takes them instead of 'medium'");
+  if (!stack || !has_sane_index(stack->incidence, medium, problems)) return {};
+  return FilmParts{optics::Medium(), stack->incidence, optics::Medium(), film.thickness};
+}
+
+std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
+                                    Problems& problems) {
+  const Path place{&path, "stack"};
+  if (problems.has(place)) return {};
+  const auto stack = understood(optics::parse_stack(film.stack, resolver), place, problems);
+  if (!stack) return {};
+  if (stack->layers.size() != 1) {
+    problems.add(place, "expected one layer between two outer media, as in 'air | water 300nm | air', got " +
+                            std::to_string(stack->layers.size()) + " layers; the renderer supports films of one layer");
+    return {};
+  }
+  const optics::Layer& layer = stack->layers.front();
+  if (!layer.coherent) {
+    problems.add(place, "expected a coherent layer, got an incoherent one; the renderer supports coherent films");
+    return {};
+  }
+  if (!film::thickness_range_nm.contains(layer.thickness_nm)) {
+    problems.add(place, "expected a thickness " + range_text({.unit = "nm", .range = film::thickness_range_nm}) + ", got " +
+                            format_number(layer.thickness_nm));
+    return {};
+  }
+  for (const optics::Medium* medium : {&stack->incidence, &layer.medium, &stack->exit})
+    if (!has_sane_index(*medium, place, problems)) return {};
+  return FilmParts{stack->incidence, layer.medium, stack->exit, film::ConstantThickness{layer.thickness_nm}};
+}
+
+void check_outer_media(const FilmParts& parts, const Path& path, Problems& problems) {
+  const Path place{&path, "stack"};
+  if (problems.has(place)) return;
+  if (!(parts.outside == parts.inside))
+    return problems.add(place, "expected the same medium outside and inside, got '" + parts.outside.name() + "' and '" +
+                                   parts.inside.name() + "'; a bubble floats in one medium");
+  if (!parts.outside.is_lossless())
+    problems.add(place, "expected an outer medium without absorption, got '" + parts.outside.name() +
+                            "'; light reaches the film through it from any distance");
+}
+
+}  // namespace shabon::scene

@@ -1,0 +1,155 @@
+#include "shabon/scene/override.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "shabon/base/text.h"
+#include "shabon/scene/problems.h"
+#include "shabon/scene/schema.h"
+
+namespace shabon::scene {
+
+namespace {
+
+using io::YamlNode;
+
+// A part of a path: a key, or an index in brackets.
+struct Step {
+  std::string_view key;
+  std::optional<std::size_t> index;
+};
+
+Diagnostics refuse(std::string_view path, std::string message, Failure failure = Failure::content) {
+  Diagnostics errors = fail(failure, std::move(message));
+  errors.front().source = override_source;
+  errors.front().key = path;
+  return errors;
+}
+
+// "objects[0].bubble" as three steps; nothing when it is not written so.
+std::optional<std::vector<Step>> steps_of(std::string_view path) {
+  std::vector<Step> steps;
+  for (std::string_view part : split(path, '.')) {
+    std::size_t bracket = std::min(part.find('['), part.size());
+    if (bracket == 0) return {};
+    steps.push_back({part.substr(0, bracket), {}});
+    while (bracket < part.size()) {
+      const std::size_t end = part.find(']', bracket);
+      if (part[bracket] != '[' || end == std::string_view::npos) return {};
+      const std::string_view digits = part.substr(bracket + 1, end - bracket - 1);
+      const auto index = parse_integer(digits);
+      if (!index || *index < 0 || digits.front() == '+') return {};
+      steps.push_back({{}, static_cast<std::size_t>(*index)});
+      bracket = end + 1;
+    }
+  }
+  return steps;
+}
+
+// Line 0 is what marks a node as set from outside the file.
+void forget_places(YamlNode& node) {
+  node.line = node.column = 0;
+  for (YamlNode& item : node.items) forget_places(item);
+  for (auto& [key, value] : node.entries) {
+    forget_places(key);
+    forget_places(value);
+  }
+}
+
+YamlNode new_scalar(std::string_view text) {
+  YamlNode node;
+  node.kind = YamlNode::Kind::scalar;
+  node.text = text;
+  return node;
+}
+
+// The value of `key` in the mapping `node`, added when it is not there. Keys of other choices give way.
+YamlNode& entry_of(YamlNode& node, const Mapping& mapping, const Key& key) {
+  if (node.kind == YamlNode::Kind::null) node.kind = YamlNode::Kind::mapping;
+  auto& entries = node.entries;
+  if (key.choice != Key::common)
+    entries.erase(std::remove_if(entries.begin(), entries.end(),
+                                 [&](const auto& entry) {
+                                   const Key* other = mapping.find(entry.first.text);
+                                   return other && other->choice != Key::common && other->choice != key.choice;
+                                 }),
+                  entries.end());
+  for (auto& [name, value] : entries)
+    if (name.text == key.key) return value;
+  entries.emplace_back(new_scalar(key.key), YamlNode());
+  return entries.back().second;
+}
+
+// Follows the path down the document and its schema side by side.
+class Walk {
+ public:
+  Walk(std::string_view path, YamlNode& root) : path_(path), node_(&root), mapping_(&scene_schema()) {}
+
+  Status take(const Step& step) { return step.index ? take_index(*step.index) : take_key(step.key); }
+  YamlNode& node() { return *node_; }
+
+ private:
+  Status take_key(std::string_view name) {
+    if (mapping_ == nullptr || expects_index_)
+      return refuse(path_, "'" + printable(name, 60) + "' leads nowhere: " + described_ + " has " +
+                               (expects_index_ ? "items [0], [1], ..." : "no keys"));
+    const Key* key = mapping_->find(name);
+    if (key == nullptr) return refuse(path_, unknown_name("key", name, mapping_->key_names()));
+    if (node_->kind != YamlNode::Kind::mapping && node_->kind != YamlNode::Kind::null)
+      return refuse(path_, "expected a mapping above '" + std::string(name) + "', got " + io::describe(*node_));
+    node_ = &entry_of(*node_, *mapping_, *key);
+    mapping_ = key->below;
+    expects_index_ = key->is_list;
+    described_ = "'" + std::string(name) + "'";
+    return Done{};
+  }
+
+  Status take_index(std::size_t index) {
+    if (node_->kind != YamlNode::Kind::sequence)
+      return refuse(path_, described_ + " is not a list in the file; expected it to be set whole");
+    if (index >= node_->items.size())
+      return refuse(path_, "expected an index below " + std::to_string(node_->items.size()) + " in " + described_ +
+                               ", got " + std::to_string(index));
+    node_ = &node_->items[index];
+    expects_index_ = false;
+    return Done{};
+  }
+
+  std::string_view path_;
+  YamlNode* node_;
+  const Mapping* mapping_;  // of the node; null below a plain value
+  bool expects_index_ = false;
+  std::string described_ = "the scene";
+};
+
+}  // namespace
+
+Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value) {
+  const auto steps = steps_of(path);
+  if (!steps) return refuse(path, "expected a path such as objects[0].bubble.radius", Failure::usage);
+  Result<io::YamlDocument> parsed = io::parse_yaml(value, std::string(override_source));
+  if (!parsed) {
+    Diagnostics errors = parsed.errors();
+    for (Diagnostic& error : errors) error.key = path;
+    return errors;
+  }
+  YamlNode root = document.root;
+  Walk walk(path, root);
+  for (const Step& step : *steps)
+    if (Status taken = walk.take(step); !taken) return taken;
+  walk.node() = std::move(parsed->root);
+  forget_places(walk.node());
+  document.root = std::move(root);
+  return Done{};
+}
+
+Status apply_override(io::YamlDocument& document, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    return refuse("", "expected path=value, such as objects[0].bubble.radius=2, got '" + printable(assignment, 60) + "'",
+                  Failure::usage);
+  return set_value(document, trim(assignment.substr(0, equals)), assignment.substr(equals + 1));
+}
+
+}  // namespace shabon::scene

@@ -1,0 +1,110 @@
+// What a scene file says, as plain data with defaults. Members bear the names of the file's keys; units and ranges stand
+// in schema_fields.h. A description can also be written in code: compile() checks it by the same lists.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shabon/film/thickness.h"
+#include "shabon/io/yaml.h"
+#include "shabon/math/vec.h"
+#include "shabon/optics/interference.h"
+
+namespace shabon::scene {
+
+struct ImageDesc {
+  int width = 800, height = 600;
+};
+
+struct CameraDesc {
+  math::Vec3d position{0, 0, 5}, look_at{0, 0, 0}, up{0, 1, 0};
+  double vertical_fov_deg = 30;  // full angle
+  std::optional<double> polarizer_deg;
+};
+
+struct RenderDesc {
+  int samples = 64;
+  optics::Interference interference = optics::Interference::airy;
+  std::uint64_t seed = 1;
+  double split_threshold = 1e-3;
+  int max_depth = 64;
+};
+
+// A lamp's spectrum, `scale` times as bright as one seen directly with Y = 1.
+struct LampDesc {
+  std::string illuminant = "D65";
+  double scale = 1;
+};
+
+struct ConstantEnvironmentDesc : LampDesc {};
+
+struct GradientEnvironmentDesc {
+  LampDesc up, down;  // mixed by (1 + y)/2
+};
+
+struct ImageEnvironmentDesc {
+  std::string file;  // relative to the scene file
+  double rotation_deg = 0;
+  double scale = 1;
+};
+
+struct RoundShapeDesc {
+  double half_angle_deg = 10;
+};
+
+struct WindowShapeDesc {
+  double width_deg = 30, height_deg = 30;
+  double roll_deg = 0;
+};
+
+struct SoftboxDesc : LampDesc {
+  math::Vec3d direction{0, 1, 0};  // towards the lamp, of any length
+  std::variant<RoundShapeDesc, WindowShapeDesc> shape;
+};
+
+struct EnvironmentDesc {
+  std::variant<ConstantEnvironmentDesc, GradientEnvironmentDesc, ImageEnvironmentDesc> base;
+  std::vector<SoftboxDesc> softboxes;
+};
+
+// A film of one medium between air on both sides.
+struct MediumFilmDesc {
+  std::string medium = "water";  // a name, a number such as 1.33 or 1.33+0.01i, or file:PATH
+  film::ThicknessModel thickness;
+};
+
+// A stack expression, from the outside to the inside.
+struct StackFilmDesc {
+  std::string stack = "air | water 400nm | air";
+};
+
+using FilmDesc = std::variant<MediumFilmDesc, StackFilmDesc>;
+
+struct BubbleDesc {
+  math::Vec3d center{0, 0, 0};
+  double radius = 1;
+  FilmDesc film;
+};
+
+// The closed set of objects.
+using ObjectDesc = std::variant<BubbleDesc>;
+
+inline constexpr int scene_file_version = 1;
+
+struct SceneDesc {
+  int shabon = scene_file_version;
+  ImageDesc image;
+  CameraDesc camera;
+  RenderDesc render;
+  EnvironmentDesc environment;
+  std::vector<ObjectDesc> objects;
+
+  // The file it was read from, so that later problems can point into it; null for a description written in code.
+  std::shared_ptr<const io::YamlDocument> origin;
+};
+
+}  // namespace shabon::scene

@@ -1,0 +1,98 @@
+#include "shabon/scene/schema.h"
+
+#include "shabon/base/text.h"
+
+namespace shabon::scene {
+
+namespace {
+
+std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+
+std::string joined(const std::vector<std::string>& parts, std::string_view last_word) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 == parts.size() ? " " + std::string(last_word) + " " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+std::string missing_message(const Key& key) { return "required key is missing; expected " + key.type; }
+
+}  // namespace
+
+const Key* Mapping::find(std::string_view key) const {
+  for (const Key& candidate : keys)
+    if (candidate.key == key) return &candidate;
+  return nullptr;
+}
+
+std::vector<std::string_view> Mapping::key_names() const {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys) names.push_back(key.key);
+  return names;
+}
+
+std::string Mapping::names_of_choice(int choice) const {
+  std::vector<std::string> names;
+  for (const Key& key : keys)
+    if (key.choice == choice && key.info.required) names.push_back(quoted(key.key));
+  return joined(names, "and");
+}
+
+std::string Mapping::names_of_choices() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < choices.size(); ++i) names.push_back(names_of_choice(static_cast<int>(i)));
+  return joined(names, "or");
+}
+
+void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& path, void* object,
+                  Problems& problems) {
+  if (node.kind != io::YamlNode::Kind::mapping) {
+    problems.add(node, path, "expected a mapping with keys, got " + io::describe(node));
+    return;
+  }
+  int chosen = Key::common;
+  std::string_view chosen_key;
+  std::vector<bool> present(mapping.keys.size(), false);
+  for (const auto& [name, value] : node.entries) {
+    if (problems.full()) return problems.count();
+    const Path below{&path, name.text};
+    const Key* key = mapping.find(name.text);
+    if (key == nullptr) {
+      problems.add(name, below, unknown_name("key", name.text, mapping.key_names()));
+      continue;
+    }
+    if (key->choice != Key::common) {
+      if (chosen == Key::common) {
+        chosen = key->choice;
+        chosen_key = key->key;
+        mapping.choose(object, chosen);
+      } else if (chosen != key->choice) {
+        problems.add(name, below,
+                     "cannot stand beside " + quoted(chosen_key) + "; expected only one of " + mapping.names_of_choices());
+        continue;
+      }
+    }
+    present[static_cast<std::size_t>(key - mapping.keys.data())] = true;
+    key->read(value, below, object, problems);
+  }
+  for (std::size_t i = 0; i < mapping.keys.size(); ++i) {
+    const Key& key = mapping.keys[i];
+    const bool wanted = key.choice == Key::common || key.choice == chosen;
+    if (key.info.required && wanted && !present[i]) problems.add(node, Path{&path, key.key}, missing_message(key));
+  }
+  if (!mapping.choices.empty() && chosen == Key::common)
+    problems.add(node, path, "required key is missing; expected " + mapping.names_of_choices());
+}
+
+void check_mapping(const Mapping& mapping, const void* object, const Path& path, Problems& problems) {
+  const int chosen = mapping.choices.empty() ? Key::common : mapping.chosen(object);
+  for (const Key& key : mapping.keys) {
+    if (problems.full()) return problems.count();
+    if (key.choice == Key::common || key.choice == chosen) key.check(object, Path{&path, key.key}, problems);
+  }
+  for (const auto& rule : mapping.rules) rule(object, path, problems);
+}
+
+}  // namespace shabon::scene

@@ -1,0 +1,92 @@
+#include "shabon/scene/schema_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shabon/base/text.h"
+#include "shabon/color/illuminant.h"
+#include "shabon/optics/media.h"
+#include "shabon/scene/film_parts.h"
+
+namespace shabon::scene {
+
+namespace {
+
+constexpr double shortest_vector = 1e-9;  // relative to coordinates around 1; anything shorter is a slip
+constexpr double parallel_sine = 1e-6;    // a view this near to `up` leaves the picture's rotation open
+
+double length_of(const math::Vec3d& v) { return std::hypot(v.x, v.y, v.z); }
+
+// Files are not read here; a film that names one is checked again when it is compiled.
+template <class FilmDescription>
+void check_film(const FilmDescription& film, const Path& path, Problems& problems) {
+  bool names_file = false;
+  const auto parts = film_parts(
+      film, path,
+      [&](std::string_view name, bool is_file) -> Result<optics::Medium> {
+        if (!is_file) return optics::medium_named(name);
+        names_file = true;
+        return optics::Medium();
+      },
+      problems);
+  if (parts && !names_file) check_outer_media(*parts, path, problems);
+}
+
+}  // namespace
+
+std::vector<std::string_view> illuminant_names() {
+  std::vector<std::string_view> names;
+  for (const color::Illuminant& lamp : color::illuminants()) names.push_back(lamp.name);
+  return names;
+}
+
+const Mapping& scene_schema() { return mapping_of<SceneDesc>(); }
+
+void check(const ImageDesc& image, const Path& path, Problems& problems) {
+  if (problems.has(path)) return;
+  const double pixels = double(image.width) * double(image.height);
+  if (pixels > most_pixels)
+    problems.add(path, "expected at most 2^28 pixels, got " + std::to_string(image.width) + " x " +
+                           std::to_string(image.height));
+}
+
+void check(const CameraDesc& camera, const Path& path, Problems& problems) {
+  const Path position{&path, "position"}, look_at{&path, "look_at"}, upwards{&path, "up"};
+  if (problems.has(position) || problems.has(look_at) || problems.has(upwards)) return;
+  const math::Vec3d view = camera.look_at - camera.position;
+  const double coordinates = std::max(1.0, length_of(camera.position));
+  if (length_of(view) < shortest_vector * coordinates)
+    return problems.add(look_at, "expected a point away from the camera's position, got " +
+                                                    value_text(camera.look_at) + ", which is the position");
+  if (length_of(camera.up) < shortest_vector)
+    return problems.add(upwards, "expected a direction, got " + value_text(camera.up));
+  const math::Vec3d forward = view * (1 / length_of(view)), up = camera.up * (1 / length_of(camera.up));
+  if (length_of(math::cross(forward, up)) < parallel_sine)
+    problems.add(upwards, "expected a direction that is not parallel to the view, got " +
+                                        value_text(camera.up));
+}
+
+void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
+  const Path direction{&path, "direction"};
+  if (!problems.has(direction) && length_of(softbox.direction) < shortest_vector)
+    problems.add(direction, "expected a direction, got " + value_text(softbox.direction));
+}
+
+void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems) {
+  const Path file{&path, "file"};
+  if (!problems.has(file) && environment.file.empty()) problems.add(file, "expected a file name, got an empty text");
+}
+
+void check(const MediumFilmDesc& film, const Path& path, Problems& problems) { check_film(film, path, problems); }
+void check(const StackFilmDesc& film, const Path& path, Problems& problems) { check_film(film, path, problems); }
+
+void check(const SceneDesc& scene, const Path& path, Problems& problems) {
+  const bool averaged = scene.render.interference == optics::Interference::two_beam;
+  if (scene.camera.polarizer_deg && averaged) {
+    const Path camera{&path, "camera"};
+    problems.add_warning(Path{&camera, "polarizer_deg"},
+                         "the two-beam model averages over polarisation at each wall: a polariser only halves the light");
+  }
+}
+
+}  // namespace shabon::scene

@@ -1,0 +1,176 @@
+// The keys of a scene file: one list per struct of scene_desc.h. Those of the thickness models stand in film/.
+#pragma once
+
+#include <numbers>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "shabon/base/field.h"
+#include "shabon/scene/scene_desc.h"
+#include "shabon/scene/schema_build.h"
+
+namespace shabon::scene {
+
+inline constexpr Range version_range{.low = scene_file_version, .high = scene_file_version};
+// Coordinates up to here keep ten digits of a unit in double, enough for interference-smooth normals.
+inline constexpr Range coordinate_range{.low = -1e6, .high = 1e6};
+inline constexpr Range radius_range{.low = 0, .high = 1e6, .low_open = true};
+inline constexpr Range angle_range_deg{.low = -36000, .high = 36000};  // a hundred turns
+inline constexpr Range below_half_turn_deg{.low = 0, .high = 180, .low_open = true, .high_open = true};
+inline constexpr Range up_to_half_turn_deg{.low = 0, .high = 180, .low_open = true};
+inline constexpr Range scale_range{.low = 0, .high = 1e9};  // its square still fits a float
+inline constexpr Range side_range{.low = 1, .high = 65536};
+inline constexpr Range samples_range{.low = 1, .high = 1e6};
+inline constexpr Range seed_range{.low = 0};
+// Below 1e-7, where a probe cuts too, the tree of paths grows and the picture does not change.
+inline constexpr Range split_range{.low = 1e-7, .high = 1};
+inline constexpr Range depth_range{.low = 1, .high = 1024};
+inline constexpr double most_pixels = 1 << 28;
+
+std::vector<std::string_view> illuminant_names();
+
+constexpr auto fields(Of<ImageDesc>) {
+  return std::tuple{
+      Field{"width", &ImageDesc::width, {.unit = "pixels", .range = side_range, .doc = "width of the picture"}},
+      Field{"height",
+            &ImageDesc::height,
+            {.unit = "pixels", .range = side_range, .doc = "height; width times height at most 2^28"}}};
+}
+
+constexpr auto fields(Of<CameraDesc>) {
+  return std::tuple{
+      Field{"position", &CameraDesc::position, {.range = coordinate_range, .doc = "where the camera stands"}},
+      Field{"look_at", &CameraDesc::look_at, {.range = coordinate_range, .doc = "the point in the middle of the picture"}},
+      Field{"up", &CameraDesc::up, {.range = coordinate_range, .doc = "upwards in the picture; not along the view"}},
+      Field{"vertical_fov_deg",
+            &CameraDesc::vertical_fov_deg,
+            {.unit = "degrees", .range = below_half_turn_deg, .doc = "full vertical angle of view"}},
+      Field{"polarizer_deg",
+            &CameraDesc::polarizer_deg,
+            {.unit = "degrees",
+             .range = angle_range_deg,
+             .doc = "axis of an ideal linear polariser before the lens, from image right towards image up"}}};
+}
+
+constexpr auto fields(Of<RenderDesc>) {
+  return std::tuple{
+      Field{"samples", &RenderDesc::samples, {.range = samples_range, .doc = "camera samples per pixel"}},
+      Field{"interference", &RenderDesc::interference, {.doc = "how much of the interference is computed"}},
+      Field{"seed", &RenderDesc::seed, {.range = seed_range, .doc = "start of the random numbers"}},
+      Field{"split_threshold",
+            &RenderDesc::split_threshold,
+            {.range = split_range, .doc = "branches that carry more are split, others chosen at random, (26)"}},
+      Field{"max_depth", &RenderDesc::max_depth, {.range = depth_range, .doc = "surface events along one path, (27)"}}};
+}
+
+constexpr auto fields(Of<LampDesc>) {
+  return std::tuple{
+      Field{"illuminant", &LampDesc::illuminant, {.names = illuminant_names, .doc = "lamp that gives the spectrum"}},
+      Field{"scale", &LampDesc::scale, {.range = scale_range, .doc = "brightness; 1 has Y = 1 when seen directly"}}};
+}
+
+constexpr About about(Of<ConstantEnvironmentDesc>) { return {.name = "constant", .doc = "the same light from everywhere"}; }
+constexpr auto fields(Of<ConstantEnvironmentDesc>) { return fields(Of<LampDesc>{}); }
+
+constexpr About about(Of<GradientEnvironmentDesc>) { return {.name = "gradient", .doc = "two lamps mixed by height"}; }
+constexpr auto fields(Of<GradientEnvironmentDesc>) {
+  return std::tuple{
+      Field{"up", &GradientEnvironmentDesc::up, {.required = true, .doc = "light from straight above"}},
+      Field{"down", &GradientEnvironmentDesc::down, {.required = true, .doc = "light from straight below"}}};
+}
+
+constexpr About about(Of<ImageEnvironmentDesc>) {
+  return {.name = "image", .doc = "a latitude-longitude picture, (25)"};
+}
+constexpr auto fields(Of<ImageEnvironmentDesc>) {
+  return std::tuple{
+      Field{"file",
+            &ImageEnvironmentDesc::file,
+            {.required = true, .doc = "OpenEXR or Radiance HDR picture, relative to the scene file"}},
+      Field{"rotation_deg",
+            &ImageEnvironmentDesc::rotation_deg,
+            {.unit = "degrees", .range = angle_range_deg, .doc = "azimuth of the picture's middle, from -z towards +x"}},
+      Field{"scale", &ImageEnvironmentDesc::scale, {.range = scale_range, .doc = "factor on the picture's values"}}};
+}
+
+constexpr About about(Of<RoundShapeDesc>) { return {.name = "round", .doc = "a disk", .flat = true}; }
+constexpr auto fields(Of<RoundShapeDesc>) {
+  return std::tuple{Field{
+      "half_angle_deg",
+      &RoundShapeDesc::half_angle_deg,
+      {.unit = "degrees", .range = up_to_half_turn_deg, .required = true, .doc = "round lamp: from its axis to its rim"}}};
+}
+
+constexpr About about(Of<WindowShapeDesc>) { return {.name = "window", .doc = "a flat rectangle", .flat = true}; }
+constexpr auto fields(Of<WindowShapeDesc>) {
+  return std::tuple{
+      Field{"width_deg",
+            &WindowShapeDesc::width_deg,
+            {.unit = "degrees", .range = below_half_turn_deg, .required = true, .doc = "window: full angle across"}},
+      Field{"height_deg",
+            &WindowShapeDesc::height_deg,
+            {.unit = "degrees", .range = below_half_turn_deg, .required = true, .doc = "window: full angle upwards"}},
+      Field{"roll_deg",
+            &WindowShapeDesc::roll_deg,
+            {.unit = "degrees", .range = angle_range_deg, .doc = "window: turn about its axis, counter-clockwise"}}};
+}
+
+constexpr auto fields(Of<SoftboxDesc>) {
+  constexpr FieldInfo direction{
+      .range = coordinate_range, .required = true, .doc = "towards the lamp, of any length"};
+  return std::tuple_cat(std::tuple{Field{"direction", &SoftboxDesc::direction, direction}, Choice{&SoftboxDesc::shape}},
+                        fields(Of<LampDesc>{}));
+}
+
+constexpr auto fields(Of<EnvironmentDesc>) {
+  return std::tuple{Choice{&EnvironmentDesc::base},
+                    Field{"softboxes",
+                          &EnvironmentDesc::softboxes,
+                          {.doc = "lamps at infinity; their light adds to the base and to each other"}}};
+}
+
+constexpr About about(Of<MediumFilmDesc>) { return {.name = "medium", .doc = "one medium", .flat = true}; }
+constexpr auto fields(Of<MediumFilmDesc>) {
+  return std::tuple{
+      Field{"medium",
+            &MediumFilmDesc::medium,
+            {.required = true, .doc = "name of a medium, index such as 1.33 or 1.33+0.01i, or file:PATH"}},
+      Field{"thickness", &MediumFilmDesc::thickness, {.required = true, .doc = "how thick the film is, and where"}}};
+}
+
+constexpr About about(Of<StackFilmDesc>) { return {.name = "stack", .doc = "a stack expression", .flat = true}; }
+constexpr auto fields(Of<StackFilmDesc>) {
+  return std::tuple{Field{
+      "stack",
+      &StackFilmDesc::stack,
+      {.required = true, .doc = "instead: outside | film and thickness | inside, as in \"air | water 300nm | air\""}}};
+}
+
+constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }
+constexpr auto fields(Of<BubbleDesc>) {
+  return std::tuple{Field{"center", &BubbleDesc::center, {.range = coordinate_range, .doc = "its centre"}},
+                    Field{"radius", &BubbleDesc::radius, {.range = radius_range, .doc = "its radius"}},
+                    Field{"film", &BubbleDesc::film, {.required = true, .doc = "what it is made of"}}};
+}
+
+constexpr auto fields(Of<SceneDesc>) {
+  return std::tuple{
+      Field{"shabon", &SceneDesc::shabon, {.range = version_range, .required = true, .doc = "version of the format"}},
+      Field{"image", &SceneDesc::image, {.doc = "size of the picture; pixels are square"}},
+      Field{"camera", &SceneDesc::camera, {.doc = "where the picture is taken from"}},
+      Field{"render", &SceneDesc::render, {.doc = "how the picture is computed"}},
+      Field{"environment", &SceneDesc::environment, {.required = true, .doc = "the light: exactly one base, any softboxes"}},
+      Field{"objects", &SceneDesc::objects, {.doc = "what is seen"}}};
+}
+
+// Rules between members of one struct. They keep silent where the members themselves are wrong.
+void check(const ImageDesc& image, const Path& path, Problems& problems);
+void check(const CameraDesc& camera, const Path& path, Problems& problems);
+void check(const SoftboxDesc& softbox, const Path& path, Problems& problems);
+void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems);
+void check(const MediumFilmDesc& film, const Path& path, Problems& problems);
+void check(const StackFilmDesc& film, const Path& path, Problems& problems);
+void check(const SceneDesc& scene, const Path& path, Problems& problems);
+
+}  // namespace shabon::scene
