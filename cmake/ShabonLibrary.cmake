@@ -37,6 +37,9 @@ function(shabon_link_library target suffix)
   target_link_libraries(${target} PRIVATE shabon_flags ${packages})
   set(symbols ${PROJECT_SOURCE_DIR}/cmake/shabon.map)
   target_link_options(${target} PRIVATE LINKER:--version-script=${symbols} LINKER:-Bsymbolic-functions)
+  if(NOT SHABON_SANITIZE)  # whose own names come from the program
+    target_link_options(${target} PRIVATE LINKER:-z,defs)
+  endif()
   set_target_properties(${target} PROPERTIES
     OUTPUT_NAME shabon VERSION ${PROJECT_VERSION} SOVERSION ${SHABON_SOVERSION} LINKER_LANGUAGE CXX
     LINK_DEPENDS ${symbols} INSTALL_RPATH "")

@@ -16,6 +16,9 @@ constexpr int most_lines = 400;
 const std::set<std::string, std::less<>> plain_rooms = {"base", "math", "color", "optics", "film"};
 constexpr std::string_view thread_file = "base/parallel.cpp";
 
+// Headers that come with the compiler: the machine's own instructions.
+const std::set<std::string, std::less<>> compiler_headers = {"immintrin.h", "arm_neon.h", "wasm_simd128.h"};
+
 // The layout of packets follows the compiler's options, so only the renderer, which is compiled once for each kind of
 // machine, may see them (docs/decisions/0001).
 constexpr std::string_view packet_header = "math/packet";
@@ -64,8 +67,8 @@ class House {
       if (extension == ".h" || extension == ".cpp") {
         SourceFile source = read_source(folder_, entry.path());
         files_.emplace(source.path, std::move(source));
-      } else if (entry.is_regular_file() && entry.path().filename() != "CMakeLists.txt") {
-        report(entry.path().lexically_relative(folder_).generic_string(), 0, "neither .h, .cpp nor CMakeLists.txt");
+      } else if (entry.is_regular_file() && extension != ".in" && entry.path().filename() != "CMakeLists.txt") {
+        report(entry.path().lexically_relative(folder_).generic_string(), 0, "is no source");
       }
     }
   }
@@ -92,7 +95,8 @@ class House {
 
   void inspect_include(const SourceFile& file, const Include& include) {
     if (!include.quoted) {
-      const bool standard = include.name.find_first_of("./") == std::string::npos;
+      const bool standard =
+          include.name.find_first_of("./") == std::string::npos || compiler_headers.contains(include.name);
       if (!standard && plain_rooms.contains(file.room) && file.path != thread_file) {
         report(file.path, include.line, "<" + include.name + "> is not the standard library");
       }

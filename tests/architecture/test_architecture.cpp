@@ -67,7 +67,7 @@ TEST_F(SmallHouse, AnEqualNumberIsRefused) {
 }
 
 TEST_F(SmallHouse, PlainRoomsUseTheStandardLibraryAlone) {
-  write("optics/airy.h", "#pragma once\n#include <fmt/format.h>\n");
+  write("optics/airy.h", "#pragma once\n#include <fmt/format.h>\n#include <immintrin.h>\n");
   EXPECT_EQ(broken(), "optics/airy.h:2: <fmt/format.h> is not the standard library");
 }
 
@@ -79,6 +79,11 @@ TEST_F(SmallHouse, AFileInNoRoomIsRefused) {
 TEST_F(SmallHouse, AFileBesideTheRoomsIsRefused) {
   write("airy.h", "#pragma once\n");
   EXPECT_EQ(broken(), "airy.h:0: is in no room");
+}
+
+TEST_F(SmallHouse, AFileThatIsNoSourceIsRefused) {
+  write("optics/airy.txt", "");
+  EXPECT_EQ(broken(), "optics/airy.txt:0: is no source");
 }
 
 TEST_F(SmallHouse, AHeaderWithoutPragmaOnceIsRefused) {
