@@ -37,7 +37,8 @@ inline constexpr std::int64_t image_max_pixels = std::int64_t{1} << 28;
 Result<RgbImage> read_exr(const std::filesystem::path& path);
 
 // Radiance pictures (FORMAT=32-bit_rle_rgbe), flat or with either run length coding, rows top to bottom (-Y h +X w).
-// EXPOSURE and COLORCORR are divided out. PRIMARIES is not applied: the values count as linear sRGB. Errors as read_exr.
+// EXPOSURE and COLORCORR are divided out. PRIMARIES is not applied: the values count as linear sRGB. Errors as
+// read_exr.
 Result<RgbImage> read_hdr(const std::filesystem::path& path);
 
 // Either, told apart by content.

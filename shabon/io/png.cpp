@@ -1,0 +1,150 @@
+// PNG through libpng: the full interface to write (text chunks), the simplified one to read.
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "shabon/base/text.h"
+#include "shabon/io/file.h"
+#include "shabon/io/image.h"
+#include "shabon/io/pixel_sink.h"
+
+namespace shabon::io {
+
+namespace {
+
+// libpng reports errors by longjmp: between setjmp and it there must be nothing with a destructor.
+struct Output {
+  std::string bytes;
+  std::string message;
+};
+
+extern "C" void shabon_png_error(png_structp png, png_const_charp message) {
+  try {
+    static_cast<Output*>(png_get_error_ptr(png))->message = message;
+  } catch (...) {
+  }
+  png_longjmp(png, 1);
+}
+
+extern "C" void shabon_png_warning(png_structp, png_const_charp) {}
+
+extern "C" void shabon_png_write(png_structp png, png_bytep data, png_size_t size) {
+  bool stored = true;
+  try {
+    static_cast<Output*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), size);
+  } catch (...) {
+    stored = false;
+  }
+  if (!stored) png_error(png, "not enough memory");
+}
+
+extern "C" void shabon_png_flush(png_structp) {}
+
+bool write_image(png_structp png, png_infop info, int width, int height, const std::uint8_t* rgb, png_text* texts,
+                 int text_count) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (text_count > 0) png_set_text(png, info, texts, text_count);
+  png_write_info(png, info);
+  for (int y = 0; y < height; ++y)
+    png_write_row(png, rgb + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(y));
+  png_write_end(png, info);
+  return true;
+}
+
+bool is_ascii(std::string_view text) {
+  for (char c : text)
+    if (static_cast<unsigned char>(c) >= 0x80) return false;
+  return true;
+}
+
+// The texts stay owned by `metadata`. Plain tEXt holds Latin-1, so anything else goes into an iTXt chunk (UTF-8).
+std::vector<png_text> make_texts(const Metadata& metadata) {
+  std::vector<png_text> texts;
+  for (const auto& [name, value] : metadata) {
+    png_text text{};
+    text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(name.c_str());
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = text.compression == PNG_TEXT_COMPRESSION_NONE ? value.size() : 0;
+    text.itxt_length = text.compression == PNG_TEXT_COMPRESSION_NONE ? 0 : value.size();
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+// Each byte of deflated data makes at most 1032 (RFC 1951's longest match over its shortest code), and a pixel has at
+// least one bit: a short file that claims more is refused before anything is allocated.
+bool can_hold(std::size_t file_bytes, std::uint64_t pixels) { return pixels / 8 <= file_bytes * std::uint64_t{1032}; }
+
+Result<Rgb8Image> decode_png(const std::string& bytes, const std::string& source) {
+  constexpr std::string_view end_chunk("IEND\xAE\x42\x60\x82", 8);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const auto give_up = [&](const std::string& message) {
+    png_image_free(&image);
+    return picture_error(source, message);
+  };
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
+    return give_up(std::string("damaged or truncated PNG: ") + image.message);
+  if (auto error = refuse_size(source, image.width, image.height)) {
+    png_image_free(&image);
+    return *error;
+  }
+  if (!can_hold(bytes.size(), std::uint64_t{image.width} * image.height) || bytes.find(end_chunk) == std::string::npos)
+    return give_up("truncated PNG");
+  image.format = PNG_FORMAT_RGB;
+  Rgb8Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  result.rgb.resize(PNG_IMAGE_SIZE(image));
+  const png_color black{0, 0, 0};
+  if (!png_image_finish_read(&image, &black, result.rgb.data(), 0, nullptr))
+    return give_up(std::string("damaged or truncated PNG: ") + image.message);
+  return result;
+}
+
+}  // namespace
+
+Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata) try {
+  if (auto error = refuse_contents(width, height, rgb.size(), metadata)) return *error;
+  Output output;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, shabon_png_error, shabon_png_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  bool written = false;
+  if (info) {
+    std::vector<png_text> texts = make_texts(metadata);
+    png_set_write_fn(png, &output, shabon_png_write, shabon_png_flush);
+    written = write_image(png, info, width, height, rgb.data(), texts.data(), static_cast<int>(texts.size()));
+  }
+  png_destroy_write_struct(&png, &info);
+  if (!written) return fail(Failure::internal, "writing PNG: " + output.message);
+  return std::move(output.bytes);
+} catch (const std::bad_alloc&) {
+  return fail(Failure::internal, "writing PNG: not enough memory");
+}
+
+Status write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb,
+                 const Metadata& metadata) {
+  const Result<std::string> bytes = encode_png(width, height, rgb, metadata);
+  if (!bytes) {
+    Diagnostics errors = bytes.errors();
+    for (Diagnostic& error : errors) error.source = path.string();
+    return errors;
+  }
+  return write_file_atomically(path, *bytes);
+}
+
+Result<Rgb8Image> read_png(const std::filesystem::path& path) try {
+  const Result<std::string> bytes = read_file(path, picture_max_bytes);
+  if (!bytes) return bytes.errors();
+  return decode_png(*bytes, path.string());
+} catch (const std::bad_alloc&) {
+  return picture_error(path.string(), "not enough memory for this picture", Failure::file);
+}
+
+}  // namespace shabon::io
