@@ -31,7 +31,9 @@ Xyz linear_srgb_to_xyz(LinearRgb colour) {
 
 double encode_srgb(double linear) {
   const double value = clip(linear);
-  return value <= linear_limit ? slope * value : (1 + offset) * std::pow(value, 1 / exponent) - offset;
+  if (value <= linear_limit) return slope * value;
+  const double power = std::pow(value, 1 / exponent);
+  return power + offset * (power - 1);  // 1.055 power - 0.055, and exactly 1 for 1
 }
 
 double decode_srgb(double encoded) {
