@@ -27,8 +27,8 @@ struct Hues {
   double difference_deg, mean_deg;
 };
 
-// (10) and (14). Opposite hues stand on a branch of both: they take the side of a difference of exactly 180 degrees, also
-// when rounding in atan2 has pushed them across it (pair 14 of the published ones).
+// (10) and (14). Opposite hues stand on a branch of both: they take the side of a difference of exactly 180 degrees,
+// also when rounding in atan2 has pushed them across it (pair 14 of the published ones).
 Hues compare_hues(double h1, double h2, bool either_grey) {
   constexpr double opposite_deg = 180 + 1e-9;
   if (either_grey) return {0, h1 + h2};
@@ -46,12 +46,12 @@ double ciede2000(Lab first, Lab second) {
   const double c1 = std::hypot(a1, first.b), c2 = std::hypot(a2, second.b);                   // (6)
   const Hues hues = compare_hues(hue_deg(a1, first.b), hue_deg(a2, second.b), c1 * c2 == 0);
 
-  const double delta_l = second.L - first.L;                                              // (8)
-  const double delta_c = c2 - c1;                                                         // (9)
+  const double delta_l = second.L - first.L;                                                   // (8)
+  const double delta_c = c2 - c1;                                                              // (9)
   const double delta_h = 2 * std::sqrt(c1 * c2) * std::sin(hues.difference_deg / 2 * degree);  // (11)
 
-  const double mean_l = (first.L + second.L) / 2;   // (12)
-  const double mean_c_prime = (c1 + c2) / 2;        // (13)
+  const double mean_l = (first.L + second.L) / 2;  // (12)
+  const double mean_c_prime = (c1 + c2) / 2;       // (13)
   const double h = hues.mean_deg;
   const double t = 1 - 0.17 * std::cos((h - 30) * degree) + 0.24 * std::cos(2 * h * degree) +
                    0.32 * std::cos((3 * h + 6) * degree) - 0.20 * std::cos((4 * h - 63) * degree);  // (15)

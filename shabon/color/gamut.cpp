@@ -45,9 +45,9 @@ double first_exit(double inside, double half_slope, double curvature) {
 }
 
 // Equation (20): in the square roots of the cone responses, the straight line from the grey of the same lightness to
-// the colour, as far as it stays in the cube. Square roots and not Oklab's cube roots: with those the cube hides a sliver
-// of itself behind its blue corner from the greys, and no mapping along such lines can be continuous there. The hue of
-// film colours stays within 2.5 degrees of Oklab's (along straight lines in linear light it would be 7.4).
+// the colour, as far as it stays in the cube. Square roots and not Oklab's cube roots: with those the cube hides a
+// sliver of itself behind its blue corner from the greys, and no mapping along such lines can be continuous there. The
+// hue of film colours stays within 2.5 degrees of Oklab's (along straight lines in linear light it would be 7.4).
 LinearRgb reduce_chroma(const Vector3& rgb) {
   Vector3 roots = multiply(rgb_to_cones, rgb);
   for (double& v : roots) v = std::copysign(std::sqrt(std::abs(v)), v);
@@ -55,8 +55,8 @@ LinearRgb reduce_chroma(const Vector3& rgb) {
   if (lightness <= 0) return {0, 0, 0};
   if (lightness >= 1) return {1, 1, 1};
 
-  // Component k at t is grey + 2 slope[k] t + curve[k] t^2. The cone responses cannot change sign inside the cube, so the
-  // squares hold up to the exit.
+  // Component k at t is grey + 2 slope[k] t + curve[k] t^2. The cone responses cannot change sign inside the cube, so
+  // the squares hold up to the exit.
   Vector3 away, away_squared;
   for (std::size_t i = 0; i < 3; ++i) {
     away[i] = roots[i] - lightness;

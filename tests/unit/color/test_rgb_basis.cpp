@@ -48,7 +48,8 @@ TEST(RgbBasis, AllOfSrgbComesBack) {
       for (int b = 0; b <= steps; ++b) {
         const LinearRgb colour{r / double(steps), g / double(steps), b / double(steps)};
         const LinearRgb seen = xyz_to_linear_srgb(radiance_to_xyz(rgb_to_radiance(colour)));
-        worst = std::max({worst, std::abs(seen.r - colour.r), std::abs(seen.g - colour.g), std::abs(seen.b - colour.b)});
+        worst =
+            std::max({worst, std::abs(seen.r - colour.r), std::abs(seen.g - colour.g), std::abs(seen.b - colour.b)});
       }
     }
   }
