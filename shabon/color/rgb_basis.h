@@ -8,7 +8,7 @@ namespace shabon::color {
 
 // At every wavelength each value is in 0..1 and the three sum to 1. Under the tabulated D65 they have the colours of
 // the sRGB primaries, scaled so that together they are its white, (1.00016, 0.99998, 0.99976) in linear sRGB. A colour
-// of the picture therefore comes back within 2.4e-4 of its largest component. (The idea of I. Mallett, C. Yuksel,
+// of the picture therefore comes back within 2.5e-4 of its largest component. (The idea of I. Mallett, C. Yuksel,
 // "Spectral primary decomposition for rendering with sRGB reflectance", EGSR 2019; the numbers are from
 // tools/make_rgb_basis.py.)
 struct RgbBasis {
