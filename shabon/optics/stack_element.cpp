@@ -12,7 +12,9 @@ namespace shabon::optics {
 
 namespace {
 
-constexpr double smallest_index = 1e-4, largest_index = 1e4;  // of |n + ik|: far beyond any medium
+// Of |n + ik|: far beyond any medium.
+constexpr double smallest_index = 1e-4, largest_index = 1e4;
+constexpr std::string_view index_form = "an index of magnitude 0.0001..10000";
 
 struct Unit {
   std::string_view name;
@@ -154,8 +156,7 @@ std::optional<Medium> StackElementParser::check_index(std::size_t begin, double 
   const std::complex<double> index(n + 0.0, k + 0.0);  // no negative zeros
   const double magnitude = std::abs(index);
   if (!(magnitude >= smallest_index && magnitude <= largest_index)) {
-    reader_.expected("an index of magnitude " + format_number(smallest_index) + ".." + format_number(largest_index, 6),
-                     begin);
+    reader_.expected(text_of(index_form), begin);
     return {};
   }
   return Medium::constant(index);
@@ -200,8 +201,8 @@ std::optional<Medium> StackElementParser::parse_file() {
       return {};
     }
   } else {
-    // Only white space and what can follow a layer end a path; '(' and '^' may be part of it.
-    while (!reader_.at_delimiter() || reader_.at('(') || reader_.at('^')) reader_.advance();
+    // A thickness or a bar follows, so '(', ')' and '^' may be part of the path.
+    while (!reader_.at_delimiter() || reader_.at('(') || reader_.at(')') || reader_.at('^')) reader_.advance();
     path = reader_.from(begin);
   }
   if (path.empty()) {

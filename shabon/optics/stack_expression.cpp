@@ -109,13 +109,14 @@ void StackParser::open_group() {
 void StackParser::close_group() {
   const std::size_t begin = reader_.offset();
   reader_.advance();
+  reader_.skip_space();
   if (groups_.empty()) {
     reader_.problem(begin, "expected '(' before this ')'");
+    if (reader_.at('^')) parse_count();
     return;
   }
   const OpenGroup group = groups_.back();
   groups_.pop_back();
-  reader_.skip_space();
   const std::size_t count_begin = reader_.offset();
   repeat(group.first_layer, parse_count(), count_begin);
 }

@@ -7,7 +7,7 @@
 //   index    = n | n "+" k "i" | k "i"                    exponents allowed; k < 0 is an error
 //   thickness = number unit                               unit: nm um µm mm cm, with or without a space
 //
-// An unquoted path ends at white space, "|" or ")". Names and `incoherent` ignore case, units do not.
+// An unquoted path ends at white space or "|". Names and `incoherent` ignore case, units do not.
 #pragma once
 
 #include <functional>

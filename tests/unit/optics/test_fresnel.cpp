@@ -1,0 +1,47 @@
+#include "shabon/optics/reference/fresnel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shabon::optics {
+namespace {
+
+using Complex = std::complex<double>;
+
+TEST(ForwardRoot, TravelsOrDecays) {
+  EXPECT_EQ(forward_root(4), Complex(2, 0));
+  EXPECT_EQ(forward_root(-4), Complex(0, 2));
+  EXPECT_EQ(forward_root(Complex(-4, -0.0)), Complex(0, 2));
+  EXPECT_EQ(forward_root(0), 0.0);
+  EXPECT_GT(forward_root(Complex(-4, 1e-9)).imag(), 0);
+  EXPECT_GT(forward_root(Complex(4, -1e-9)).real(), 0);
+  EXPECT_GT(forward_root(Complex(-4, -1e-9)).imag(), 0);
+}
+
+TEST(NormalIndex, FollowsSnell) {
+  const Incidence incidence = incidence_from(Degrees(40));
+  EXPECT_NEAR(refracted_cosine(1, incidence, 1.5).real(), std::sqrt(1 - std::pow(incidence.sin_i / 1.5, 2)), 1e-15);
+  EXPECT_EQ(normal_index(1.4, incidence, 1.4), 1.4 * incidence.cos_i);
+  EXPECT_EQ(normal_index(1.5, incidence_from(Degrees(60)), 1).real(), 0);
+  // An absorbing medium: n sin(theta) is carried over.
+  const Complex n(0.2, 3.1), c = refracted_cosine(1, incidence, n);
+  EXPECT_LT(std::abs(n * std::sqrt(1.0 - c * c) - incidence.sin_i), 1e-15);
+}
+
+TEST(Fresnel, GlassAtNormalIncidence) {
+  const InterfaceAmplitudes wall = fresnel(1, 1, 1.5, 1);
+  EXPECT_NEAR(wall.r_s.real(), -0.2, 1e-16);
+  EXPECT_NEAR(wall.r_p.real(), 0.2, 1e-16);
+  EXPECT_NEAR(wall.t_s.real(), 0.8, 1e-16);
+  EXPECT_NEAR(wall.t_p.real(), 0.8, 1e-16);
+}
+
+TEST(Fresnel, EqualMediaAtGrazingIncidence) {
+  const InterfaceAmplitudes wall = fresnel(1.3, 0, 1.3, 0);
+  EXPECT_EQ(wall.r_s, 0.0);
+  EXPECT_EQ(wall.t_p, 1.0);
+}
+
+}  // namespace
+}  // namespace shabon::optics
