@@ -14,15 +14,22 @@
 
 namespace shabon::io {
 
+struct YamlEntry;
+
 struct YamlNode {
   enum class Kind { scalar, sequence, mapping, null };
   Kind kind = Kind::null;
-  std::string text;             // of a scalar, escapes resolved
-  bool quoted = false;          // written in quotes, as a block scalar or with !!str: text, never a number
-  int line = 0;                 // counted from 1
-  int column = 0;               // counted from 1, in characters
-  std::vector<YamlNode> items;  // of a sequence
-  std::vector<std::pair<YamlNode, YamlNode>> entries;  // of a mapping, in file order; keys are scalars, all different
+  std::string text;                // of a scalar, escapes resolved
+  bool quoted = false;             // written in quotes, as a block scalar or with !!str: text, never a number
+  int line = 0;                    // counted from 1
+  int column = 0;                  // counted from 1, in characters
+  std::vector<YamlNode> items;     // of a sequence
+  std::vector<YamlEntry> entries;  // of a mapping, in file order; keys are scalars, all different
+};
+
+// A key and its value. Not a std::pair, which some compilers refuse to form of a type that is being defined.
+struct YamlEntry {
+  YamlNode first, second;
 };
 
 struct YamlDocument {

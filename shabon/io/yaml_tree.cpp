@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <yaml-cpp/exceptions.h>
+
 #include "shabon/base/text.h"
 #include "shabon/io/text_lines.h"
 
@@ -57,10 +59,20 @@ void YamlTreeBuilder::Size::contain(const Size& inner) {
   depth = std::max(depth, inner.depth + 1);
 }
 
-void YamlTreeBuilder::error(const YAML::Mark& mark, std::string message) {
+void YamlTreeBuilder::syntax_error(const YAML::Mark& mark, const std::string& problem) {
   int line = 0, column = 0;
   places_.locate(mark, line, column);
-  error_at(line, column, std::move(message));
+  const bool at_end = mark.column == 0 && static_cast<std::size_t>(line) >= lines_.size();
+  const bool bracket = problem == YAML::ErrorMsg::END_OF_SEQ_FLOW || problem == YAML::ErrorMsg::END_OF_MAP_FLOW;
+  if (problem == YAML::ErrorMsg::UNKNOWN_ANCHOR) {
+    error_at(line, column, "unknown alias: no anchor of this name comes before it");
+  } else if (bracket && at_end && !frames_.empty()) {
+    const YamlNode& open_node = frames_.back().node;  // where it begins says more than where the file ends
+    const std::string closing = open_node.kind == YamlNode::Kind::sequence ? "']'" : "'}'";
+    error_at(open_node.line, open_node.column, "not valid YAML: the closing " + closing + " is missing");
+  } else {
+    error_at(line, column, "not valid YAML: " + problem);
+  }
 }
 
 void YamlTreeBuilder::error_at(int line, int column, std::string message) {
@@ -193,7 +205,7 @@ void YamlTreeBuilder::attach(YamlNode node, const Size& size) {
   } else if (!frame.key) {
     take_key(frame, std::move(node));
   } else {
-    if (frame.key_usable) frame.node.entries.emplace_back(std::move(*frame.key), std::move(node));
+    if (frame.key_usable) frame.node.entries.push_back({std::move(*frame.key), std::move(node)});
     frame.key.reset();
   }
 }

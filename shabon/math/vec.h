@@ -14,7 +14,7 @@ struct Vec3 {
   friend constexpr Vec3 operator*(Vec3 a, T s) { return {a.x * s, a.y * s, a.z * s}; }
   friend constexpr Vec3 operator*(T s, Vec3 a) { return a * s; }
   friend constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
 using Vec3d = Vec3<double>;

@@ -77,7 +77,7 @@ YamlNode& entry_of(YamlNode& node, const Mapping& mapping, const Key& key) {
                   entries.end());
   for (auto& [name, value] : entries)
     if (name.text == key.key) return value;
-  entries.emplace_back(new_scalar(key.key), YamlNode());
+  entries.push_back({new_scalar(key.key), YamlNode()});
   return entries.back().second;
 }
 
@@ -128,6 +128,7 @@ class Walk {
 Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value) {
   const auto steps = steps_of(path);
   if (!steps) return refuse(path, "expected a path such as objects[0].bubble.radius", Failure::usage);
+  if (trim(value).empty()) return refuse(path, "expected a value, got an empty text", Failure::usage);
   Result<io::YamlDocument> parsed = io::parse_yaml(value, std::string(override_source));
   if (!parsed) {
     Diagnostics errors = parsed.errors();
@@ -147,7 +148,8 @@ Status set_value(io::YamlDocument& document, std::string_view path, std::string_
 Status apply_override(io::YamlDocument& document, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    return refuse("", "expected path=value, such as objects[0].bubble.radius=2, got '" + printable(assignment, 60) + "'",
+    return refuse("",
+                  "expected path=value, such as objects[0].bubble.radius=2, got '" + printable(assignment, 60) + "'",
                   Failure::usage);
   return set_value(document, trim(assignment.substr(0, equals)), assignment.substr(equals + 1));
 }
