@@ -67,7 +67,10 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
 
 // CLI11's messages, where they can be clearer.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+  // An unknown option may leave a required argument missing: then it is the one to name.
+  const bool names_one = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (names_one)
     for (const std::string& argument : app.remaining())
       if (argument != "--") return unexpected(app, argument);
   return error.what();

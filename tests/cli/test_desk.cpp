@@ -276,7 +276,7 @@ TEST(Color, SaysWhetherTheColourFitsIntoSrgb) {
     return io::find(json_of({"color", stack, "--format", "json"}).root, "in_gamut")->text;
   };
   EXPECT_EQ(in_gamut("air | water 100nm | air"), "true");
-  EXPECT_EQ(in_gamut("air | water 550nm | air"), "false");
+  EXPECT_EQ(in_gamut("air | water 200nm | air"), "false");
   const io::YamlDocument black = json_of({"color", "air | water 0nm | air", "--format", "json"});
   EXPECT_EQ(io::find(black.root, "hex")->text, "#000000");
   EXPECT_EQ(numbers(black.root, "xy"), (std::vector<double>{0, 0}));

@@ -53,7 +53,7 @@ const std::vector<Case> usage_errors = {
      "at most"},
     {{"spectrum", film, "--wavelengths", "400", "--wavelengths", "500"}, 2, "--wavelengths"},
     {{"spectrum", film, "--format", "xml"}, 2, "unknown value 'xml'; known: csv, json, svg"},
-    {{"spectrum", film, "--interference", "aryi"}, 2, "did you mean 'airy'?"},
+    {{"spectrum", film, "--interference", "airi"}, 2, "did you mean 'airy'?"},
     {{"color", film, "--illuminant", "D56"}, 2, "unknown value 'D56'"},
     {{"color", film, "--observer", "1924"}, 2, "unknown value '1924'"},
     {{"color", film, "--angle", "91"}, 2, "0 to 90 degrees"},

@@ -1,0 +1,125 @@
+// shabon probe: the spectrum that arrives along one exact ray.
+#include "shabon/render/probe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "command.h"
+#include "json.h"
+#include "options.h"
+#include "scene_input.h"
+#include "shabon/base/text.h"
+#include "shabon/color/rgb.h"
+#include "shabon/color/xyz.h"
+#include "streams.h"
+#include "wavelengths.h"
+
+namespace shabon::app {
+
+namespace {
+
+struct ProbeCommand {
+  SceneInput scene;
+  std::vector<double> pixel, ray;
+  std::vector<double> wavelengths_nm;
+  std::size_t format = 0;
+};
+
+struct ProbedSpectrum {
+  std::vector<double> wavelengths_nm, radiance;
+  color::Xyz xyz;
+};
+
+std::string probe_csv(const ProbedSpectrum& probed) {
+  std::string csv = "wavelength_nm,radiance\n";
+  for (std::size_t i = 0; i < probed.radiance.size(); ++i)
+    csv += format_number(probed.wavelengths_nm[i]) + "," + format_exact(probed.radiance[i]) + "\n";
+  return csv;
+}
+
+std::string probe_json(const ProbedSpectrum& probed) {
+  const color::LinearRgb rgb = color::xyz_to_linear_srgb(probed.xyz);
+  JsonObject json;
+  json.add("wavelength_nm", probed.wavelengths_nm).add("radiance", probed.radiance);
+  json.add("XYZ", {probed.xyz.x, probed.xyz.y, probed.xyz.z}).add("linear_srgb", {rgb.r, rgb.g, rgb.b});
+  return json.text();
+}
+
+struct Format {
+  std::string_view name;
+  std::string (*write)(const ProbedSpectrum&);
+};
+
+constexpr Format formats[] = {{"csv", probe_csv}, {"json", probe_json}};
+
+// The ray that the flags name. Errors: a pixel outside the picture, a direction without length.
+Result<render::ProbeRay> chosen_ray(const ProbeCommand& command, const scene::Scene& scene) {
+  if (command.pixel.empty()) {
+    const std::vector<double>& r = command.ray;
+    const math::Vec3d direction{r[3], r[4], r[5]};
+    const double length = math::length(direction);
+    if (!(length > 0) || !std::isfinite(length))
+      return fail(Failure::usage, "--ray: expected a direction of finite length > 0");
+    return render::ProbeRay{{r[0], r[1], r[2]}, direction * (1 / length)};
+  }
+  // Fractions name points within a pixel; whole numbers its centre.
+  const double x = command.pixel[0], y = command.pixel[1];
+  if (!(x >= -0.5 && x <= scene.width - 0.5 && y >= -0.5 && y <= scene.height - 0.5))
+    return fail(Failure::usage, fmt::format("--pixel: expected 0 0 to {} {}, got {} {}", scene.width - 1,
+                                            scene.height - 1, format_number(x), format_number(y)));
+  return render::pixel_ray(scene, x + 0.5, y + 0.5);
+}
+
+std::vector<double> observer_wavelengths_nm() {
+  std::vector<double> wavelengths_nm;
+  for (std::size_t i = 0; i < color::spectrum_size; ++i) wavelengths_nm.push_back(color::wavelength_nm(i));
+  return wavelengths_nm;
+}
+
+int run_probe(const ProbeCommand& command) {
+  const Result<LoadedScene> loaded = load(command.scene);
+  if (!loaded) return report(loaded.errors());
+  const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
+  if (!ray) return report(ray.errors());
+
+  // The asked wavelengths and those of the observer in one tree.
+  std::vector<double> wavelengths_nm = command.wavelengths_nm;
+  const std::size_t asked = wavelengths_nm.size();
+  for (const double nm : observer_wavelengths_nm()) wavelengths_nm.push_back(nm);
+  const Result<render::ProbeResult> result = render::probe(loaded->scene, *ray, wavelengths_nm);
+  if (!result) return report(result.errors());
+
+  ProbedSpectrum probed{command.wavelengths_nm, result->radiance, {}};
+  color::Spectrum spectrum;
+  std::copy(probed.radiance.begin() + static_cast<std::ptrdiff_t>(asked), probed.radiance.end(), spectrum.begin());
+  probed.radiance.resize(asked);
+  probed.xyz = color::radiance_to_xyz(spectrum);
+  return print_result(formats[command.format].write(probed));
+}
+
+}  // namespace
+
+Action declare_probe(CLI::App& app) {
+  const auto command = std::make_shared<ProbeCommand>();
+  add_scene_input(app, command->scene);
+  CLI::Option_group* where = app.add_option_group("Where", "Exactly one of");
+  add_tuple(*where, "--pixel", command->pixel, 2, "X Y", "The centre of a pixel, counted from the top left");
+  add_tuple(*where, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "A ray from a point in a direction");
+  where->require_option(1);
+  add_wavelengths(app, command->wavelengths_nm, "380:780:5", {.low = color::first_nm, .high = color::last_nm});
+  add_choice(app, "--format", command->format, formats, "Form of the output");
+  app.footer(
+      R"(Radiance is per nm, scaled so that its sum with the observer's ybar over 360..830 nm at 1 nm is Y; a lamp of scale 1
+seen directly has Y = 1. XYZ and linear_srgb of the JSON are sums over that whole range. Pixels may have fractions.
+
+Examples:
+  shabon probe --pixel 400 300
+  shabon probe scenes/bubble/scene.yaml --pixel 400 120 --format json
+  shabon probe scenes/bubble/scene.yaml --ray 0 0 5 0 -.1 -1 --wavelengths 400:700:10)");
+  return [command] { return run_probe(*command); };
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,91 @@
+#include "scene_input.h"
+
+#include <fmt/format.h>
+
+#include "options.h"
+#include "shabon/api/resources.h"
+#include "shabon/io/file.h"
+#include "shabon/io/yaml.h"
+#include "shabon/optics/interference.h"
+#include "shabon/scene/built_in.h"
+#include "shabon/scene/compile.h"
+#include "shabon/scene/schema_fields.h"
+#include "streams.h"
+
+namespace shabon::app {
+
+namespace {
+
+// "800x600".
+void read_size(SceneInput& input, const std::string& text) {
+  const std::string option = "--size";
+  const std::string size = lower(text);
+  const std::vector<std::string_view> sides = split(size, 'x');
+  if (sides.size() != 2)
+    usage_error(option, fmt::format("expected WxH such as 800x600, got '{}'", printable(text, 60)));
+  const auto side = [&](std::string_view digits) {
+    return integer_in(option, digits, static_cast<long long>(scene::side_range.low),
+                      static_cast<long long>(scene::side_range.high));
+  };
+  const long long width = side(sides[0]), height = side(sides[1]);
+  if (static_cast<double>(width) * static_cast<double>(height) > scene::most_pixels)
+    usage_error(option, fmt::format("at most {} pixels", scene::most_pixels));
+  input.flags.push_back(fmt::format("image.width={}", width));
+  input.flags.push_back(fmt::format("image.height={}", height));
+}
+
+}  // namespace
+
+void add_scene_input(CLI::App& app, SceneInput& input) {
+  add_text(app, "SCENE", input.file, "", "Scene file (.yaml or .json); none: the built-in bubble");
+  add_texts(app, "--set", input.overrides, "PATH=VALUE",
+            "Set a value of the scene, such as objects[0].bubble.radius=2; may be repeated");
+  app.add_option_function<std::string>(
+         "--size", [&input](const std::string& text) { read_size(input, text); }, "Size of the picture in pixels")
+      ->type_name("WxH");
+  std::vector<std::string_view> models;
+  for (const auto& model : optics::interference_models) models.push_back(model.name);
+  const auto read_model = [&input, models](const std::string& text) {
+    if (!optics::find_interference(text)) usage_error("--interference", unknown_name("value", text, models));
+    input.flags.push_back("render.interference=" + lower(text));
+  };
+  app.add_option_function<std::string>("--interference", read_model,
+                                       fmt::format("Model of interference: {}", fmt::join(models, ", ")))
+      ->type_name("NAME");
+}
+
+void add_scene_integer(CLI::App& app, SceneInput& input, const std::string& names, const std::string& path, Range range,
+                       const std::string& description) {
+  const auto limit = [](double value) {
+    constexpr double most = 9223372036854774784.0;  // the largest double that a long long holds
+    return static_cast<long long>(std::min(value, most));
+  };
+  const auto read = [&input, names, path, least = limit(range.low), most = limit(range.high)](const std::string& text) {
+    input.flags.push_back(fmt::format("{}={}", path, integer_in(names, text, least, most)));
+  };
+  app.add_option_function<std::string>(names, read, description)->type_name("N");
+}
+
+Result<LoadedScene> load(const SceneInput& input) {
+  std::string text(scene::built_in_scene()), name(scene::built_in_source);
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> files_read;
+  if (input.file) {
+    Result<std::string> content = io::read_text_file(*input.file, io::yaml_max_bytes);
+    if (!content) return content.errors();
+    text = *std::move(content);
+    name = *input.file;
+    folder = std::filesystem::path(name).parent_path();
+    files_read.push_back(name);
+  }
+  std::vector<std::string> overrides = input.overrides;
+  overrides.insert(overrides.end(), input.flags.begin(), input.flags.end());
+  const auto note = [&files_read](const std::filesystem::path& file) { files_read.push_back(file); };
+  Diagnostics warnings;
+  Result<scene::Scene> scene = scene::load_scene(text, name, overrides, api::file_resources(folder, note), &warnings);
+  report(warnings);
+  if (!scene) return scene.errors();
+  return LoadedScene{*std::move(scene), std::move(name), std::move(files_read)};
+}
+
+}  // namespace shabon::app
