@@ -28,13 +28,13 @@ Answer characteristic_matrix(Complex eta1, Complex eta2, Complex eta3, Complex b
 Complex cosine(Complex n1, double sin_i, Complex n) {
   const Complex sine = n1 * sin_i / n;
   const Complex c = std::sqrt(1.0 - sine * sine);
-  return (n * c).imag() < 0 ? -c : c;
+  return (n * c).real() + (n * c).imag() < 0 ? -c : c;
 }
 
 TEST(CharacteristicMatrix, AgreesWithAiry) {
   Pcg32 random(6);
   for (int i = 0; i < 5000; ++i) {
-    const double n1 = random.uniform(1, 2);
+    const Complex n1(random.uniform(1, 2), i % 4 == 0 ? random.uniform(0, 0.5) : 0);
     const auto index = [&] {
       const double n = random.uniform(0.3, 3);
       return Complex(n, random.uniform() < 0.5 ? 0 : random.uniform(0, 2));

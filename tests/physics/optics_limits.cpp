@@ -160,9 +160,31 @@ TEST(Limits, OpaqueFilm) {
     EXPECT_NEAR(film.R_p, bulk.R_p, 1e-15);
     EXPECT_LT(film.T_s, 1e-300);
   }
-  // Light from inside an absorbing medium meets a wave that grows in the film: the answer stays finite.
-  const Powers inside = airy(Complex(1.5, 0.1), 1.5, 1, 1e6, incidence_from(Degrees(30)), lambda_nm);
-  EXPECT_TRUE(std::isfinite(inside.R_s) && std::isfinite(inside.T_p));
+  // Light from inside an absorbing medium meets a wave that would grow in the film: the answers stay finite.
+  for (auto* model : {airy, two_beam, without_interference}) {
+    const Powers inside = model(Complex(1.5, 0.1), 1.5, 1, 1e6, incidence_from(Degrees(30)), lambda_nm);
+    for (double power : {inside.R_s, inside.R_p, inside.T_s, inside.T_p}) EXPECT_TRUE(std::isfinite(power));
+  }
+}
+
+// Two and a half million exact waves of film are a half wave: thickness costs the phase no digits.
+TEST(Limits, ThickFilmsKeepTheirPhase) {
+  const double thick_nm = 1e9;  // n d/lambda = 1.25 1e9/500
+  EXPECT_LT(std::abs(airy_amplitudes(1, 1.25, 1, thick_nm, {}, 500).r_s), 1e-14);
+  EXPECT_LT(std::abs(airy_amplitudes(1, 1.25, 1.5, thick_nm, {}, 500).r_s - Complex(-0.2)), 1e-14);
+}
+
+// A metal film under total reflection, where the wall's reflected amplitude exceeds 1: sums without phase mean nothing
+// there, and are held.
+TEST(Limits, WithoutInterferenceIsHeldWhereItMeansNothing) {
+  for (double d_nm = 0; d_nm < 100; d_nm += 0.5) {
+    const Powers film = without_interference(1.517, Complex(0.13, 3.16), 1, d_nm, incidence_from(Degrees(44)), 633);
+    EXPECT_GE(film.R_p, 0.9) << d_nm;
+    EXPECT_LE(film.R_p, 1) << d_nm;
+  }
+  const Powers total = without_interference(1.5, 1, 1.5, 100, incidence_from(Degrees(60)), lambda_nm);
+  EXPECT_NEAR(total.R_s, 1, 1e-15);
+  EXPECT_NEAR(total.T_p, 0, 1e-15);
 }
 
 }  // namespace

@@ -32,7 +32,6 @@ struct Intensities {
 // (14). T12 T21 and T12 T23 need no power of the film itself: it cancels.
 Intensities sum_of_intensities(const Wave& wave, const Passage& film, bool lossless_incidence) {
   const double R12 = norm(wave.r12), R23 = norm(wave.r23);
-  if (real(wave.u2) <= 0 && wave.r12 != 0.0) return {R12, 0};
   const double passes_once = std::exp(-2 * film.loss);  // A
   const double not_returned =                           // 1 - R21 R23 A^2
       not_reflected(wave.u1, wave.u2) + R12 * (not_reflected(wave.u2, wave.u3) - R23 * std::expm1(-4 * film.loss));

@@ -22,7 +22,12 @@ TEST(ForwardRoot, TravelsOrDecays) {
 TEST(NormalIndex, FollowsSnell) {
   const Incidence incidence = incidence_from(Degrees(40));
   EXPECT_NEAR(refracted_cosine(1, incidence, 1.5).real(), std::sqrt(1 - std::pow(incidence.sin_i / 1.5, 2)), 1e-15);
-  EXPECT_EQ(normal_index(1.4, incidence, 1.4), 1.4 * incidence.cos_i);
+  for (double angle_deg = 0; angle_deg <= 90; ++angle_deg)
+    for (const Complex same : {Complex(1.4), Complex(1.3, 0.2)}) {
+      const Incidence at = incidence_from(Degrees(angle_deg));
+      EXPECT_EQ(normal_index(same, at, same), same * at.cos_i);
+      EXPECT_EQ(refracted_cosine(same, at, same), at.cos_i);
+    }
   EXPECT_EQ(normal_index(1.5, incidence_from(Degrees(60)), 1).real(), 0);
   // An absorbing medium: n sin(theta) is carried over.
   const Complex n(0.2, 3.1), c = refracted_cosine(1, incidence, n);

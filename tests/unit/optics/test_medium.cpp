@@ -34,6 +34,9 @@ TEST(Medium, FormulaContinuesOverTheRenderedRangeAndThenHolds) {
   EXPECT_EQ(medium.index(300), formula.index(360));
   EXPECT_EQ(medium.index(1000), formula.index(1000));
   EXPECT_EQ(medium.index(2000), formula.index(1000));
+  const Medium narrow = Medium::formula(formula, {400, 700}, {"x", "", ""});
+  EXPECT_EQ(narrow.index(830), formula.index(830));
+  EXPECT_EQ(narrow.index(900), formula.index(830));
   EXPECT_TRUE(medium.covers(400) && medium.covers(1000));
   EXPECT_FALSE(medium.covers(399.9) || medium.covers(1000.1));
   EXPECT_EQ(medium.outside_range_note(), "x: wavelengths outside 400..1000 nm: the formula is continued");
