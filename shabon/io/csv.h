@@ -33,7 +33,7 @@ struct CsvTable {
   std::optional<std::size_t> column(std::string_view name) const;  // ignores case
 };
 
-inline constexpr std::size_t csv_max_bytes = 64 << 20;
+inline constexpr std::size_t csv_max_bytes = 16 << 20;
 
 // Errors with line and column: a row with too few or too many cells, a quote that does not end, text after a closing
 // quote, control characters, two columns of one name, a table without rows.

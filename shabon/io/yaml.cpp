@@ -1,6 +1,7 @@
 #include "shabon/io/yaml.h"
 
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include <yaml-cpp/exceptions.h>
@@ -14,6 +15,18 @@ namespace shabon::io {
 
 namespace {
 
+// yaml-cpp keeps every token of a bracket in memory until it closes. A document of yaml_max_nodes values needs fewer
+// brackets and commas than this; a hostile file has more.
+constexpr std::size_t most_brackets_and_commas = 3 * yaml_max_nodes;
+
+std::optional<TextDefect> find_too_many_tokens(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (std::string_view("[]{},").find(text[i]) != std::string_view::npos && ++count > most_brackets_and_commas)
+      return TextDefect{i, "more than " + std::to_string(most_brackets_and_commas) + " brackets and commas"};
+  return {};
+}
+
 // Feeds the builder; what yaml-cpp cannot parse becomes one of its errors.
 void build(const std::string& text, YamlTreeBuilder& builder) {
   try {
@@ -23,7 +36,7 @@ void build(const std::string& text, YamlTreeBuilder& builder) {
     }
   } catch (const YAML::Exception& problem) {
     try {
-      builder.error(problem.mark, "not valid YAML: " + problem.msg);
+      builder.syntax_error(problem.mark, problem.msg);
     } catch (const YamlStop&) {
     }
   } catch (const YamlStop&) {
@@ -43,6 +56,7 @@ Result<YamlDocument> parse_yaml(std::string_view text, std::string source) try {
   if (text.size() > yaml_max_bytes)
     return without_place(source, Failure::content, "larger than " + std::to_string(yaml_max_bytes) + " bytes");
   if (const auto defect = find_text_defect(text)) return Diagnostics{to_diagnostic(source, text, *defect)};
+  if (const auto defect = find_too_many_tokens(text)) return Diagnostics{to_diagnostic(source, text, *defect)};
   const std::string plain = with_plain_line_ends(text);
   YamlDocument document{std::move(source), split_lines(plain), {}};
   YamlTreeBuilder builder(document.source, document.lines);

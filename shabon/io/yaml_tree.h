@@ -39,7 +39,8 @@ class YamlTreeBuilder final : public YAML::EventHandler {
 
   YamlNode& root() { return root_; }
   const Diagnostics& errors() const { return errors_; }
-  void error(const YAML::Mark& mark, std::string message);  // throws YamlStop when there are too many
+  // For what yaml-cpp itself refuses, with its words. Throws YamlStop when there are too many errors.
+  void syntax_error(const YAML::Mark& mark, const std::string& problem);
 
   void OnDocumentStart(const YAML::Mark& mark) override;
   void OnDocumentEnd() override {}
