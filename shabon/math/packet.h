@@ -290,5 +290,10 @@ inline packet<To, N> convert(packet<T, N> a) {
   }
 }
 
+// Double to float, for one number or a packet of them.
+inline float narrow(double value) { return static_cast<float>(value); }
+template <int N>
+inline packet<float, N> narrow(packet<double, N> value) { return convert<float>(value); }
+
 }  // namespace SHABON_REGISTERS
 }  // namespace shabon::math

@@ -31,11 +31,11 @@ inline FreeFilmFactors<L> free_film_factors(D n1_squared, D n2_squared, D q1_squ
   const D ratio = kappa / product;
   const D n1_4 = n1_squared * n1_squared, n2_4 = n2_squared * n2_squared;
   FreeFilmFactors<L> f;
-  f.contrast = L(step * step);
-  f.crossing = L(D(4.0) * q1_squared * q2_squared);
-  f.brewster = L(D(1.0) - ratio * (n1_squared + n2_squared));
-  f.mean = L((q1_squared + q2_squared) * (q1_squared * n2_4 + q2_squared * n1_4) / product);
-  f.twist = L(D(2.0) * q1q2 * step * step * ratio);
+  f.contrast = math::narrow(step * step);
+  f.crossing = math::narrow(D(4.0) * q1_squared * q2_squared);
+  f.brewster = math::narrow(D(1.0) - ratio * (n1_squared + n2_squared));
+  f.mean = math::narrow((q1_squared + q2_squared) * (q1_squared * n2_4 + q2_squared * n1_4) / product);
+  f.twist = math::narrow(D(2.0) * q1q2 * step * step * ratio);
   return f;
 }
 

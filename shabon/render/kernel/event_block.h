@@ -1,0 +1,113 @@
+// The geometry of up to eight film events at once: where, which film, how thick, at what angle, and the turn of the
+// Stokes frame.
+#pragma once
+
+#include "shabon/optics/packet/free_film.h"
+#include "shabon/optics/packet/paper_film.h"
+#include "shabon/render/kernel/paths.h"
+#include "shabon/render/kernel/scene_tables.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+struct EventBlock {
+  int count = 0;
+  std::uint32_t path[ray_block];          // index of the path in its generation
+  std::int32_t sphere[ray_block];
+  std::int16_t slot[ray_block];           // which of the films on this spot, 0 is the outermost
+  bool inward[ray_block];                 // the ray runs towards the centre
+  alignas(64) double px[ray_block], py[ray_block], pz[ray_block];
+  alignas(64) double rx[ray_block], ry[ray_block], rz[ray_block];  // mirrored direction
+  alignas(64) double cos_i[ray_block], thickness_nm[ray_block];
+  alignas(64) double sx[ray_block], sy[ray_block], sz[ray_block];  // s of the plane of incidence
+  float cos_2phi[ray_block], sin_2phi[ray_block];                  // from the row's frame to the plane of incidence
+  const FilmTable* film[ray_block];
+};
+
+namespace detail {
+
+inline math::Vec3<Rays> load3(const double* x, const double* y, const double* z) {
+  return {Rays::load(x), Rays::load(y), Rays::load(z)};
+}
+
+inline void store3(const math::Vec3<Rays>& v, double* x, double* y, double* z) { v.x.store(x), v.y.store(y), v.z.store(z); }
+
+}  // namespace detail
+
+// The s axis of the path's present row: stored, or for a path that has met one sphere only, normal to its plane.
+inline math::Vec3d row_axis(const SceneTables& tables, const Paths& paths, std::size_t i) {
+  const PathState& state = paths.state[i];
+  if (!state.coplanar()) return {paths.sx[i], paths.sy[i], paths.sz[i]};
+  const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
+  if (state.plane == PathState::any_plane) return {0, 0, 0};
+  const math::Vec3d normal =
+      math::Vec3d{paths.ox[i], paths.oy[i], paths.oz[i]} - tables.scene.spheres[static_cast<std::size_t>(state.plane)].center;
+  const math::Vec3d s = math::cross(d, normal);
+  const double size = math::length(s);
+  return size > 0 ? s * (1 / size) : math::Vec3d{0, 0, 0};
+}
+
+// cos and sin of 2 phi from the old s axis to the plane of incidence, equation (15). At normal incidence every plane
+// will do and the old one stays.
+inline void turn_frame(const SceneTables& tables, const Paths& paths, EventBlock& block, int lane,
+                       const math::Vec3d& center) {
+  const std::size_t i = block.path[lane];
+  const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
+  const math::Vec3d old_s = row_axis(tables, paths, i);
+  math::Vec3d s = math::cross(d, math::Vec3d{block.px[lane], block.py[lane], block.pz[lane]} - center);
+  const double size = math::length(s);
+  if (size > 1e-12 * tables.scene.spheres[static_cast<std::size_t>(block.sphere[lane])].radius)
+    s = s * (1 / size);
+  else if (math::dot(old_s, old_s) > 0.5)
+    s = old_s;
+  else
+    s = math::normalize(math::cross(d, std::abs(d.x) < 0.5 ? math::Vec3d{1, 0, 0} : math::Vec3d{0, 1, 0}));
+  const double c = math::dot(old_s, s), k = math::dot(math::cross(old_s, d), s);  // p = (-d) x s = s x d
+  const double norm = c * c + k * k;
+  block.cos_2phi[lane] = norm > 0 ? static_cast<float>((c * c - k * k) / norm) : 1.0f;
+  block.sin_2phi[lane] = norm > 0 ? static_cast<float>(2 * c * k / norm) : 0.0f;
+  block.sx[lane] = s.x, block.sy[lane] = s.y, block.sz[lane] = s.z;
+}
+
+// Fills the block from `count` paths; `hits` are their indices in the generation.
+inline void event_geometry(const SceneTables& tables, const Paths& paths, const std::uint32_t* hits, int count,
+                           const double* distance, const std::int32_t* sphere_of, EventBlock& block) {
+  alignas(64) double o[3][ray_block], d[3][ray_block], c[3][ray_block], t[ray_block], inverse_radius[ray_block];
+  block.count = count;
+  for (int lane = 0; lane < ray_block; ++lane) {
+    const std::uint32_t i = hits[lane < count ? lane : 0];
+    const scene::Sphere& sphere = tables.scene.spheres[static_cast<std::size_t>(sphere_of[i])];
+    block.path[lane] = i, block.sphere[lane] = sphere_of[i];
+    o[0][lane] = paths.ox[i], o[1][lane] = paths.oy[i], o[2][lane] = paths.oz[i];
+    d[0][lane] = paths.dx[i], d[1][lane] = paths.dy[i], d[2][lane] = paths.dz[i];
+    c[0][lane] = sphere.center.x, c[1][lane] = sphere.center.y, c[2][lane] = sphere.center.z;
+    t[lane] = distance[i], inverse_radius[lane] = 1 / sphere.radius;
+  }
+  const auto origin = detail::load3(o[0], o[1], o[2]), direction = detail::load3(d[0], d[1], d[2]);
+  const auto point = origin + direction * Rays::load(t);
+  const auto normal = (point - detail::load3(c[0], c[1], c[2])) * Rays::load(inverse_radius);
+  const Rays along = math::dot(direction, normal);
+  const auto mirrored = direction - normal * (along + along);
+  alignas(64) double n[3][ray_block], along_lanes[ray_block];
+  detail::store3(point, block.px, block.py, block.pz);
+  detail::store3(mirrored, block.rx, block.ry, block.rz);
+  detail::store3(normal, n[0], n[1], n[2]);
+  along.store(along_lanes);
+  min(abs(along), Rays(1.0)).store(block.cos_i);
+  for (int lane = 0; lane < count; ++lane) {
+    const PathState& state = paths.state[block.path[lane]];
+    const scene::Sphere& sphere = tables.scene.spheres[static_cast<std::size_t>(block.sphere[lane])];
+    block.inward[lane] = along_lanes[lane] < 0;
+    block.slot[lane] = state.next_slot >= 0     ? state.next_slot
+                       : block.inward[lane] ? std::int16_t(0)
+                                            : static_cast<std::int16_t>(sphere.film_count - 1);
+    block.film[lane] = &tables.films[static_cast<std::size_t>(sphere.first_film + block.slot[lane])];
+    block.thickness_nm[lane] =
+        film::thickness_nm(*block.film[lane]->thickness, math::Vec3d{n[0][lane], n[1][lane], n[2][lane]});
+    const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
+    if (!same_plane) turn_frame(tables, paths, block, lane, sphere.center);
+  }
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render

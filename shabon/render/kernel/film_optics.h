@@ -1,0 +1,144 @@
+// What a film does to light at one event: reflectance and transmittance of s and p for a path in one plane, the Mueller
+// blocks for any other.
+#pragma once
+
+#include "shabon/optics/packet/airy.h"
+#include "shabon/render/kernel/event_block.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+using Powers = optics::FilmPowers<lane_count>;
+using Mueller = optics::FilmMueller<lane_count>;
+
+// The paper's means over the polarisations, equation (13), with the reflectances clamped to 1.
+inline Powers wall_averages(const Powers& p) {
+  const Lanes one(1.0f), half(0.5f);
+  const Lanes reflected = half * (min(p.R_s, one) + min(p.R_p, one)), transmitted = half * (p.T_s + p.T_p);
+  return {reflected, reflected, transmitted, transmitted};
+}
+
+// The incoherent sum over the passes, equation (14), as Mueller blocks: the passes do not interfere with each other, but
+// s and p of one pass keep their phase.
+inline Mueller without_phase_mueller(const Powers& p, const Lanes& rho_sp, const Lanes& pass_sp) {
+  const Lanes half(0.5f), zero(0.0f);
+  const Lanes through = pass_sp / (Lanes(1.0f) - rho_sp * rho_sp);
+  return {{half * (p.R_s + p.R_p), half * (p.R_s - p.R_p), rho_sp + rho_sp * through, zero},
+          {half * (p.T_s + p.T_p), half * (p.T_s - p.T_p), through, zero}};
+}
+
+inline Mueller grey_mueller(const Powers& p) {
+  const Lanes zero(0.0f);
+  return {{p.R_s, zero, -p.R_s, zero}, {p.T_s, zero, p.T_s, zero}};
+}
+
+// The root in double from the root in float: one Newton step.
+inline LanesD refined_sqrt(const LanesD& x) {
+  const Lanes rough = sqrt(math::convert<float>(x));
+  const LanesD y = math::convert<double>(rough), half_over = math::convert<double>(Lanes(0.5f) / rough);
+  return y + (x - y * y) * half_over;
+}
+
+// One event's angle and indices, ready for whichever film model; Number is double or LanesD.
+template <class Number>
+struct Crossing {
+  Number n1_squared, n2_squared, q1_squared, q1, q2;
+};
+
+inline Crossing<double> constant_crossing(const SceneTables& tables, const FilmTable& film, double cos_i) {
+  const double n1 = tables.medium_n_squared;
+  const double q1 = n1 * std::max(cos_i * cos_i, optics::least_cos2);
+  return {n1, film.n_squared, q1, std::sqrt(q1), std::sqrt(film.n_squared - n1 + q1)};
+}
+
+inline Crossing<LanesD> dispersive_crossing(const SceneTables& tables, const FilmTable& film, std::size_t comb,
+                                            double cos_i) {
+  const LanesD n1 = tables.combs[comb].medium_n_squared, n2 = film.n_squared_lanes[comb];
+  const LanesD q1 = n1 * std::max(cos_i * cos_i, optics::least_cos2);
+  return {n1, n2, q1, refined_sqrt(q1), refined_sqrt(n2 - n1 + q1)};
+}
+
+template <class L, class Number>
+Powers film_powers(optics::Interference mode, const Crossing<Number>& at, const LanesD& cycles) {
+  switch (mode) {
+    case optics::Interference::two_beam:
+      return wall_averages(optics::two_beam_powers(
+          optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2), optics::film_phase_sin2(cycles)));
+    case optics::Interference::none:
+      return optics::without_phase_powers<lane_count>(
+          optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2));
+    default:
+      return optics::free_film_powers(
+          optics::free_film_factors<L>(at.n1_squared, at.n2_squared, at.q1_squared, Number(at.q2 * at.q2), Number(at.q1 * at.q2)),
+          optics::film_phase_sin2(cycles));
+  }
+}
+
+template <class L, class Number>
+Mueller film_mueller(optics::Interference mode, const Crossing<Number>& at, const LanesD& cycles) {
+  if (mode == optics::Interference::none) {
+    const auto wall = optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2);
+    // r_s r_p of one wall with its sign, and t t' of both polarisations.
+    const Number signed_rho = (at.q1 - at.q2) * (at.n2_squared * at.q1 - at.n1_squared * at.q2) /
+                              ((at.q1 + at.q2) * (at.n2_squared * at.q1 + at.n1_squared * at.q2));
+    return without_phase_mueller(optics::without_phase_powers<lane_count>(wall), Lanes(math::narrow(signed_rho)),
+                                 Lanes(wall.pass_s) * Lanes(wall.pass_p));
+  }
+  return optics::free_film_mueller(
+      optics::free_film_factors<L>(at.n1_squared, at.n2_squared, at.q1_squared, Number(at.q2 * at.q2), Number(at.q1 * at.q2)),
+      optics::film_phase(cycles));
+}
+
+// Absorbing films, and films of lower index than the medium (beyond their critical angle light tunnels through).
+Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
+                        double thickness_nm);
+
+// One event: what the film does to a path whose events all lie in one plane.
+inline Powers event_powers(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
+  const FilmTable& film = *block.film[lane];
+  const auto mode = tables.scene.render.interference;
+  const double cos_i = block.cos_i[lane];
+  const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
+  switch (film.kind) {
+    case FilmKind::constant: {
+      const auto at = constant_crossing(tables, film, cos_i);
+      return film_powers<float>(mode, at, per_wavelength * at.q2);
+    }
+    case FilmKind::dispersive: {
+      const auto at = dispersive_crossing(tables, film, comb, cos_i);
+      return film_powers<Lanes>(mode, at, per_wavelength * at.q2);
+    }
+    case FilmKind::grey: {
+      const Lanes R(tables.grey_reflectance), T(1 - tables.grey_reflectance);
+      return {R, R, T, T};
+    }
+    case FilmKind::general: break;
+  }
+  const Mueller m = general_mueller(tables, film, comb, cos_i, block.thickness_nm[lane]);
+  return {m.reflected.a + m.reflected.b, m.reflected.a - m.reflected.b, m.transmitted.a + m.transmitted.b,
+          m.transmitted.a - m.transmitted.b};
+}
+
+// The same for any other path.
+inline Mueller event_mueller(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
+  const FilmTable& film = *block.film[lane];
+  const auto mode = tables.scene.render.interference;
+  const double cos_i = block.cos_i[lane];
+  const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
+  switch (film.kind) {
+    case FilmKind::constant: {
+      const auto at = constant_crossing(tables, film, cos_i);
+      return film_mueller<float>(mode, at, per_wavelength * at.q2);
+    }
+    case FilmKind::dispersive: {
+      const auto at = dispersive_crossing(tables, film, comb, cos_i);
+      return film_mueller<Lanes>(mode, at, per_wavelength * at.q2);
+    }
+    case FilmKind::grey: return grey_mueller(event_powers(tables, block, lane, comb));
+    case FilmKind::general: break;
+  }
+  return general_mueller(tables, film, comb, cos_i, block.thickness_nm[lane]);
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render

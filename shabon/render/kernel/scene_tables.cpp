@@ -1,0 +1,79 @@
+#include "shabon/render/kernel/scene_tables.h"
+
+#include "shabon/color/xyz.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+namespace {
+
+std::vector<geometry::SphereShape> shapes(const scene::Scene& scene) {
+  std::vector<geometry::SphereShape> result;
+  for (const scene::Sphere& sphere : scene.spheres) result.push_back({sphere.center, sphere.radius});
+  return result;
+}
+
+template <class Function>
+LanesD per_wavelength(const Comb& comb, const Function& function) {
+  double values[lane_count];
+  for (int i = 0; i < lane_count; ++i) values[i] = function(comb.wavelength_nm[i]);
+  return LanesD::load(values);
+}
+
+// A lossless film whose index is nowhere below the medium's has a real angle at every incidence.
+bool has_real_angles(const optics::Medium& film, const optics::Medium& outside) {
+  if (!film.is_lossless()) return false;
+  for (int nm = color::first_nm; nm < color::first_nm + color::spectrum_size; ++nm)
+    if (film.index(nm).real() < outside.index(nm).real()) return false;
+  return true;
+}
+
+FilmTable film_table(const scene::Film& film, const optics::Medium& outside, const std::vector<Comb>& combs) {
+  FilmTable table;
+  table.thickness = &film.thickness;
+  if (!has_real_angles(film.medium, outside)) {
+    table.kind = FilmKind::general;
+    for (const Comb& comb : combs)
+      table.n_lanes.push_back({per_wavelength(comb, [&](double nm) { return film.medium.index(nm).real(); }),
+                               per_wavelength(comb, [&](double nm) { return film.medium.index(nm).imag(); })});
+  } else if (!film.medium.is_constant() || !outside.is_constant()) {
+    table.kind = FilmKind::dispersive;
+    for (const Comb& comb : combs)
+      table.n_squared_lanes.push_back(per_wavelength(comb, [&](double nm) { return std::norm(film.medium.index(nm)); }));
+  } else {
+    table.n_squared = std::norm(film.medium.index(color::first_nm));
+  }
+  return table;
+}
+
+}  // namespace
+
+SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey)
+    : scene(of), spheres(shapes(of)), channel_count(static_cast<int>(of.environment.channels.size())) {
+  const color::Observer& observer = color::observer_1931();
+  const std::vector<Comb> wavelengths = wavelength_combs(observer, scene.environment.channels);
+  medium_n_squared = std::norm(scene.medium.index(color::first_nm));
+  for (const Comb& comb : wavelengths) {
+    CombTable table;
+    table.inverse_wavelength_per_nm = LanesD(1.0) / LanesD::load(comb.wavelength_nm.data());
+    table.medium_n_squared = per_wavelength(comb, [&](double nm) { return std::norm(scene.medium.index(nm)); });
+    for (std::size_t c = 0; c < 3; ++c)
+      table.weight[c] = math::convert<float>(LanesD::load(comb.weight[c].data()));
+    combs.push_back(table);
+    for (const color::Spectrum& channel : scene.environment.channels)
+      channels.push_back(
+          math::convert<float>(per_wavelength(comb, [&](double nm) { return at_wavelength(channel, nm); })));
+  }
+  for (const color::Spectrum& channel : scene.environment.channels) {
+    const color::Xyz xyz = color::radiance_to_xyz(channel, observer);
+    channel_xyz.push_back({static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z)});
+  }
+  for (const scene::Film& film : scene.films) films.push_back(film_table(film, scene.medium, wavelengths));
+  if (grey) {
+    grey_reflectance = static_cast<float>(*grey);
+    for (FilmTable& film : films) film.kind = FilmKind::grey;
+  }
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render

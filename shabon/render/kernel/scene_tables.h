@@ -1,0 +1,51 @@
+// What the kernel needs of a scene, per wavelength comb: made once before the first pass.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "shabon/geometry/sphere_set.h"
+#include "shabon/render/kernel/lanes.h"
+#include "shabon/scene/scene.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+// How a film's amplitudes are computed.
+enum class FilmKind {
+  constant,    // lossless, no index depends on the wavelength
+  dispersive,  // lossless
+  general,     // absorbing, or of lower index than the medium: the general layer, in double
+  grey,        // constant reflectance, for benchmarks only
+};
+
+struct FilmTable {
+  FilmKind kind = FilmKind::constant;
+  const film::ThicknessModel* thickness = nullptr;
+  double n_squared = 1;                          // constant
+  std::vector<LanesD> n_squared_lanes;           // dispersive, per comb
+  std::vector<std::array<LanesD, 2>> n_lanes;    // general, per comb: n and k
+};
+
+struct CombTable {
+  LanesD inverse_wavelength_per_nm;
+  LanesD medium_n_squared;
+  Lanes weight[3];  // observer
+};
+
+struct SceneTables {
+  SceneTables(const scene::Scene& scene, std::optional<double> grey_reflectance);
+
+  const scene::Scene& scene;
+  geometry::SphereSet spheres;
+  double medium_n_squared = 1;   // where the medium is constant
+  std::vector<FilmTable> films;
+  std::vector<CombTable> combs;
+  int channel_count = 0;
+  std::vector<Lanes> channels;   // [comb * channel_count + channel]
+  std::vector<std::array<float, 3>> channel_xyz;  // the exact colour of a channel seen directly
+  float grey_reflectance = 0;
+};
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render

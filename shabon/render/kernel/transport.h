@@ -1,0 +1,59 @@
+// Light transport for one tile: splitting at every film, equations (26) and (27).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shabon/render/kernel/camera_rays.h"
+#include "shabon/render/kernel/event_block.h"
+#include "shabon/render/kernel/paths.h"
+#include "shabon/render/kernel/scene_tables.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+struct TransportCounts {
+  std::uint64_t rays = 0, film_events = 0, cut_paths = 0, dropped = 0;
+};
+
+// The paper's recursion does not end by itself beyond 83.25 degrees: a path of more events than this is dropped.
+inline constexpr int two_beam_most_events = 16;
+
+class TileTransport {
+ public:
+  explicit TileTransport(const SceneTables& tables) : tables_(tables) {}
+
+  // Adds the samples [first, end) of every pixel of the tile to its sums.
+  void add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end);
+
+  // The sums of the tile's pixels since the last call, XYZ; starts again from zero.
+  void take_sums(const Tile& tile, std::vector<std::array<double, 3>>& xyz);
+
+  const TransportCounts& counts() const { return counts_; }
+
+ private:
+  void trace_generation();
+  void add_environment(const std::uint32_t* leaves, int count);
+  void add_camera_leaf(std::size_t path, const LeafRays* coefficients, int lane);
+  void add_leaf(std::size_t path, const LeafRays* coefficients, int lane);
+  void film_event(const EventBlock& block, int lane);
+  void pass_straight(const EventBlock& block, int lane);
+  void split(const EventBlock& block, int lane, const Row& reflected, const Row& transmitted, bool coplanar,
+             std::int32_t plane);
+  bool survives(float& carried, std::uint32_t random, float& scale) const;
+  std::size_t push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane);
+
+  const SceneTables& tables_;
+  TransportCounts counts_;
+  Paths now_, next_;
+  std::vector<double> distance_;
+  std::vector<std::int32_t> sphere_;
+  std::vector<std::uint32_t> hits_, leaves_;
+  std::vector<LeafRays> coefficients_;
+  Lanes sums_[tile_pixels][3];
+  float direct_[tile_pixels][3];
+  bool cleared_ = false;
+};
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render

@@ -1,0 +1,130 @@
+#include "shabon/render/render.h"
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+
+#include "shabon/base/parallel.h"
+#include "shabon/render/kernel/transport.h"
+
+namespace shabon::render {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<Tile> tiles_of(const scene::Scene& scene) {
+  std::vector<Tile> tiles;
+  for (int y = 0; y < scene.height; y += tile_size)
+    for (int x = 0; x < scene.width; x += tile_size)
+      tiles.push_back({x, y, std::min(tile_size, scene.width - x), std::min(tile_size, scene.height - y)});
+  return tiles;
+}
+
+// The samples of one pass over the picture. Early passes are short, so that a picture that is stopped early is whole.
+int samples_of_pass(int pass) {
+  constexpr int first_passes[] = {4, 12};
+  return pass < 2 ? first_passes[pass] : 16;
+}
+
+class Progress {
+ public:
+  Progress(const ProgressReport& report, double total) : report_(report), total_(total) {}
+  void add(double work) {
+    if (!report_) return;
+    const std::lock_guard lock(mutex_);
+    done_ += work;
+    report_(std::min(1.0, done_ / total_));
+  }
+
+ private:
+  const ProgressReport& report_;
+  double total_, done_ = 0;
+  std::mutex mutex_;
+};
+
+// Each thread keeps its arrays from tile to tile; whoever is free takes one.
+class Workers {
+ public:
+  explicit Workers(const SceneTables& tables) : tables_(tables) {}
+  std::unique_ptr<TileTransport> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return std::make_unique<TileTransport>(tables_);
+    auto worker = std::move(free_.back());
+    free_.pop_back();
+    return worker;
+  }
+  void give_back(std::unique_ptr<TileTransport> worker) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(worker));
+  }
+  void count(RenderReport& report) const {
+    for (const auto& worker : free_) {
+      report.rays += worker->counts().rays;
+      report.film_events += worker->counts().film_events;
+      report.cut_paths += worker->counts().cut_paths;
+      report.dropped_samples += worker->counts().dropped;
+    }
+  }
+
+ private:
+  const SceneTables& tables_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<TileTransport>> free_;
+};
+
+void render_tile(TileTransport& worker, const Tile& tile, std::uint32_t first, std::uint32_t end, Sensor& sensor) {
+  worker.add_samples(tile, first, end);
+  std::vector<std::array<double, 3>> xyz;
+  worker.take_sums(tile, xyz);
+  for (int i = 0; i < tile.pixels(); ++i) {
+    Sensor::Pixel& pixel = sensor.at(tile.x0 + i % tile.width, tile.y0 + i / tile.width);
+    const auto& sum = xyz[static_cast<std::size_t>(i)];
+    pixel.x += sum[0], pixel.y += sum[1], pixel.z += sum[2];
+    pixel.samples += end - first;
+  }
+}
+
+}  // namespace
+
+Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& options, Sensor& sensor) {
+  if (sensor.width() != scene.width || sensor.height() != scene.height)
+    return fail(Failure::internal, "expected a sensor of the scene's size");
+  const auto start = Clock::now();
+  const SceneTables tables(scene, options.grey_reflectance);
+  const std::vector<Tile> tiles = tiles_of(scene);
+  Workers workers(tables);
+  Progress progress(options.progress, double(tiles.size()) * scene.render.samples);
+  const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
+  std::atomic<std::uint64_t> camera_samples{0};
+  RenderReport report;
+  for (int pass = 0, first = 0; first < scene.render.samples && !report.interrupted; ++pass) {
+    const int end = std::min(first + samples_of_pass(pass), scene.render.samples);
+    std::atomic<bool> left_out{false};
+    parallel_for(tiles.size(), options.threads, [&](std::size_t i) {
+      if (stopped()) {
+        left_out = true;
+        return;
+      }
+      auto worker = workers.take();
+      render_tile(*worker, tiles[i], static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), sensor);
+      workers.give_back(std::move(worker));
+      camera_samples += static_cast<std::uint64_t>(tiles[i].pixels()) * static_cast<std::uint64_t>(end - first);
+      progress.add(end - first);
+    });
+    report.interrupted = left_out;
+    if (!left_out) report.samples_done = end;
+    first = end;
+  }
+  report.camera_samples = camera_samples;
+  workers.count(report);
+  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return report;
+}
+
+const char* instruction_set() {
+  return math::register_bytes == 64 ? "x86-64-v4" : math::register_bytes == 32 ? "x86-64-v3" : "x86-64";
+}
+
+}  // namespace shabon::render
