@@ -128,7 +128,7 @@ Result<Target> find_target(const fs::path& path) {
   }
   if (S_ISDIR(status.st_mode)) return file_error(path, "cannot write: it is a folder");
   if (!S_ISREG(status.st_mode)) target.direct = true;
-  if (::access(target.file.c_str(), W_OK) != 0) return file_error(path, "cannot write", errno);
+  if (::faccessat(AT_FDCWD, target.file.c_str(), W_OK, AT_EACCESS) != 0) return file_error(path, "cannot write", errno);
   target.exists = true;
   target.mode = status.st_mode & 07777;
   return target;

@@ -60,5 +60,6 @@ Result<std::string> encode_exr(const RgbImage& image, const Metadata& metadata);
 
 // Any PNG as 8-bit sRGB; transparency over black. Errors as read_exr.
 Result<Rgb8Image> read_png(const std::filesystem::path& path);
+Result<Rgb8Image> decode_png(std::string_view bytes, const std::string& source);
 
 }  // namespace shabon::io

@@ -83,31 +83,6 @@ std::vector<png_text> make_texts(const Metadata& metadata) {
 // least one bit: a short file that claims more is refused before anything is allocated.
 bool can_hold(std::size_t file_bytes, std::uint64_t pixels) { return pixels / 8 <= file_bytes * std::uint64_t{1032}; }
 
-Result<Rgb8Image> decode_png(const std::string& bytes, const std::string& source) {
-  constexpr std::string_view end_chunk("IEND\xAE\x42\x60\x82", 8);
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  const auto give_up = [&](const std::string& message) {
-    png_image_free(&image);
-    return picture_error(source, message);
-  };
-  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
-    return give_up(std::string("damaged or truncated PNG: ") + image.message);
-  if (auto error = refuse_size(source, image.width, image.height)) {
-    png_image_free(&image);
-    return *error;
-  }
-  if (!can_hold(bytes.size(), std::uint64_t{image.width} * image.height) || bytes.find(end_chunk) == std::string::npos)
-    return give_up("truncated PNG");
-  image.format = PNG_FORMAT_RGB;
-  Rgb8Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  result.rgb.resize(PNG_IMAGE_SIZE(image));
-  const png_color black{0, 0, 0};
-  if (!png_image_finish_read(&image, &black, result.rgb.data(), 0, nullptr))
-    return give_up(std::string("damaged or truncated PNG: ") + image.message);
-  return result;
-}
-
 }  // namespace
 
 Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata) try {
@@ -139,12 +114,38 @@ Status write_png(const std::filesystem::path& path, int width, int height, std::
   return write_file_atomically(path, *bytes);
 }
 
-Result<Rgb8Image> read_png(const std::filesystem::path& path) try {
+Result<Rgb8Image> decode_png(std::string_view bytes, const std::string& source) try {
+  constexpr std::string_view end_chunk("IEND\xAE\x42\x60\x82", 8);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const auto give_up = [&](const std::string& message) {
+    png_image_free(&image);
+    return picture_error(source, message);
+  };
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
+    return give_up(std::string("damaged or truncated PNG: ") + image.message);
+  if (auto error = refuse_size(source, image.width, image.height)) {
+    png_image_free(&image);
+    return *error;
+  }
+  if (!can_hold(bytes.size(), std::uint64_t{image.width} * image.height) ||
+      bytes.find(end_chunk) == std::string_view::npos)
+    return give_up("truncated PNG");
+  image.format = PNG_FORMAT_RGB;
+  Rgb8Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  result.rgb.resize(PNG_IMAGE_SIZE(image));
+  const png_color black{0, 0, 0};
+  if (!png_image_finish_read(&image, &black, result.rgb.data(), 0, nullptr))
+    return give_up(std::string("damaged or truncated PNG: ") + image.message);
+  return result;
+} catch (const std::bad_alloc&) {
+  return picture_error(source, "not enough memory for this picture", Failure::file);
+}
+
+Result<Rgb8Image> read_png(const std::filesystem::path& path) {
   const Result<std::string> bytes = read_file(path, picture_max_bytes);
   if (!bytes) return bytes.errors();
   return decode_png(*bytes, path.string());
-} catch (const std::bad_alloc&) {
-  return picture_error(path.string(), "not enough memory for this picture", Failure::file);
 }
 
 }  // namespace shabon::io

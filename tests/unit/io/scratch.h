@@ -56,6 +56,15 @@ testing::AssertionResult fails(const Result<T>& result, Failure failure, const s
   return testing::AssertionFailure() << "failure " << static_cast<int>(first.failure) << ": " << to_text(first);
 }
 
+// A picture with as many values as its size says, or an error about its content.
+template <class Image>
+testing::AssertionResult is_whole_or_refused(const Result<Image>& image) {
+  if (!image) return fails(image, Failure::content, "");
+  if (image->rgb.size() == 3 * static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height))
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure() << image->width << "x" << image->height << ": " << image->rgb.size() << " values";
+}
+
 template <class T>
 std::string errors_of(const Result<T>& result) {
   return result.ok() ? "" : to_text(result.errors());
