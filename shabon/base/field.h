@@ -4,7 +4,8 @@
 //   constexpr auto fields(Of<Lens>) {
 //     return std::tuple{Field{"width_mm", &Lens::width_mm, {.unit = "mm", .range = positive, .doc = "..."}}};
 //   }
-//   constexpr About about(Of<Lens>) { return {.name = "lens", .doc = "..."}; }   // where Lens is one of several choices
+//   constexpr About about(Of<Lens>) { return {.name = "lens", .doc = "..."}; }   // where Lens is one of several
+//   choices
 #pragma once
 
 #include <limits>

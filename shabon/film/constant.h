@@ -17,10 +17,10 @@ constexpr About about(Of<ConstantThickness>) {
 }
 
 constexpr auto fields(Of<ConstantThickness>) {
-  return std::tuple{Field{
-      "constant_nm",
-      &ConstantThickness::constant_nm,
-      {.unit = "nm", .range = thickness_range_nm, .required = true, .doc = "thickness of the film"}}};
+  return std::tuple{
+      Field{"constant_nm",
+            &ConstantThickness::constant_nm,
+            {.unit = "nm", .range = thickness_range_nm, .required = true, .doc = "thickness of the film"}}};
 }
 
 // Thickness in nm in the unit direction `from_centre` of a sphere.

@@ -8,8 +8,8 @@
 
 namespace shabon::film {
 
-// Each model is a plain struct in a file of its own with three functions beside it: about() names it, fields() lists its
-// parameters, thickness_nm() computes it. Scene keys, their checks, documentation and tests follow from this list.
+// Each model is a plain struct in a file of its own with three functions beside it: about() names it, fields() lists
+// its parameters, thickness_nm() computes it. Scene keys, their checks, documentation and tests follow from this list.
 using ThicknessModel = std::variant<ConstantThickness, LinearThickness>;
 
 // Thickness in nm in the unit direction `from_centre` of a sphere; Number is double or a packet of it.

@@ -44,9 +44,8 @@ class ObjectsCompiler {
   void add(const BubbleDesc& bubble, const Path& object) {
     const Path path{&object, about(Of<BubbleDesc>{}).name};
     const Path film{&path, "film"};
-    const auto parts =
-        std::visit([&](const auto& chosen) { return film_parts(chosen, film, resources_.medium, problems_); },
-                   bubble.film);
+    const auto parts = std::visit(
+        [&](const auto& chosen) { return film_parts(chosen, film, resources_.medium, problems_); }, bubble.film);
     if (!parts) return;
     check_outer_media(*parts, film, problems_);
     settle_medium(*parts, film);

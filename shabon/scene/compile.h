@@ -20,8 +20,8 @@ namespace shabon::scene {
 Result<Scene> compile(const SceneDesc& description, const Resources& resources, Diagnostics* warnings = nullptr);
 
 // From the text of a scene file to the scene in one call: parse_yaml, apply_override for each of `overrides`
-// ("path=value"), read_scene and compile. Unlike those one after the other it reports the problems of the file and those
-// of the files it names together.
+// ("path=value"), read_scene and compile. Unlike those one after the other it reports the problems of the file and
+// those of the files it names together.
 Result<Scene> load_scene(std::string_view text, std::string source, std::span<const std::string> overrides,
                          const Resources& resources, Diagnostics* warnings = nullptr);
 

@@ -1,29 +1,11 @@
 #include "shabon/scene/film_parts.h"
 
-#include <complex>
-
-#include "shabon/base/field.h"
 #include "shabon/base/text.h"
-#include "shabon/color/spectrum.h"
 #include "shabon/scene/value.h"
 
 namespace shabon::scene {
 
 namespace {
-
-// No medium known at visible wavelengths leaves this range, and its squares stay exact in float.
-constexpr Range index_modulus_range{.low = 0.01, .high = 100};
-
-bool has_sane_index(const optics::Medium& medium, const Path& path, Problems& problems) {
-  for (const int nm : {color::first_nm, (color::first_nm + color::last_nm) / 2, color::last_nm}) {
-    const double modulus = std::abs(medium.index(nm));
-    if (index_modulus_range.contains(modulus)) continue;
-    problems.add(path, "expected a medium whose index has a modulus " + range_text({.range = index_modulus_range}) +
-                           ", got " + format_number(modulus, 6) + " for '" + medium.name() + "'");
-    return false;
-  }
-  return true;
-}
 
 std::optional<optics::Stack> understood(Result<optics::Stack> stack, const Path& path, Problems& problems) {
   if (stack) return *std::move(stack);
@@ -33,8 +15,8 @@ std::optional<optics::Stack> understood(Result<optics::Stack> stack, const Path&
 
 }  // namespace
 
-std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
-                                    Problems& problems) {
+std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path,
+                                    const optics::MediumResolver& resolver, Problems& problems) {
   const Path medium{&path, "medium"};
   if (problems.has(medium)) return {};
   if (trim(film.medium).empty()) {
@@ -43,9 +25,12 @@ std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path
   }
   // A medium alone is the shortest stack's first half; the expression's parser knows all ways to write one.
   const bool whole_stack = film.medium.find('|') != std::string::npos;
-  const auto stack = whole_stack ? std::nullopt : understood(optics::parse_stack(film.medium + " | vacuum", resolver), medium, problems);
-  if (whole_stack) problems.add(medium, "expected one medium, got several layers; 'stack' takes them instead of 'medium'");
-  if (!stack || !has_sane_index(stack->incidence, medium, problems)) return {};
+  const auto stack = whole_stack
+                         ? std::nullopt
+                         : understood(optics::parse_stack(film.medium + " | vacuum", resolver), medium, problems);
+  if (whole_stack)
+    problems.add(medium, "expected one medium, got several layers; 'stack' takes them instead of 'medium'");
+  if (!stack) return {};
   return FilmParts{optics::Medium(), stack->incidence, optics::Medium(), film.thickness};
 }
 
@@ -66,12 +51,10 @@ std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path,
     return {};
   }
   if (!film::thickness_range_nm.contains(layer.thickness_nm)) {
-    problems.add(place, "expected a thickness " + range_text({.unit = "nm", .range = film::thickness_range_nm}) + ", got " +
-                            format_number(layer.thickness_nm));
+    problems.add(place, "expected a thickness of " + range_text({.unit = "nm", .range = film::thickness_range_nm}) +
+                            ", got " + value_text(layer.thickness_nm));
     return {};
   }
-  for (const optics::Medium* medium : {&stack->incidence, &layer.medium, &stack->exit})
-    if (!has_sane_index(*medium, place, problems)) return {};
   return FilmParts{stack->incidence, layer.medium, stack->exit, film::ConstantThickness{layer.thickness_nm}};
 }
 

@@ -19,8 +19,8 @@ struct FilmParts {
 
 // Nothing when the film's texts cannot be understood or say more than the renderer supports: one coherent layer. Then
 // `problems` holds why. `path` leads to the film.
-std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
-                                    Problems& problems);
+std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path,
+                                    const optics::MediumResolver& resolver, Problems& problems);
 std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
                                     Problems& problems);
 

@@ -120,7 +120,7 @@ class Walk {
   YamlNode* node_;
   const Mapping* mapping_;  // of the node; null below a plain value
   bool expects_index_ = false;
-  std::string described_ = "the scene";
+  std::string described_;
 };
 
 }  // namespace

@@ -9,10 +9,10 @@
 namespace shabon::scene {
 
 // Sets the value at `path` in a parsed scene file, before it is read: the same checks and messages follow, with
-// override_source in place of the file name. `value` is YAML, so lists and mappings can be set whole. Keys that the file
-// leaves out are added; a key of one choice (environment.gradient, film.stack, ...) replaces those of the others.
-// Errors leave the document as it was. Failure::usage: what is no path at all; Failure::content, as for the file itself:
-// a path that leads nowhere, with the nearest known key, and a value that is no YAML.
+// override_source in place of the file name. `value` is YAML, so lists and mappings can be set whole. Keys that the
+// file leaves out are added; a key of one choice (environment.gradient, film.stack, ...) replaces those of the others.
+// Errors leave the document as it was. Failure::usage: what is no path at all; Failure::content, as for the file
+// itself: a path that leads nowhere, with the nearest known key, and a value that is no YAML.
 Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value);
 
 // The same from one text "path=value".

@@ -38,8 +38,7 @@ Diagnostic Problems::diagnostic(const io::YamlNode* node, const Path& path, std:
 }
 
 void Problems::keep(Diagnostic diagnostic) {
-  if (full()) return count();
-  errors_.push_back(std::move(diagnostic));
+  if (!full()) errors_.push_back(std::move(diagnostic));
 }
 
 void Problems::add(const Path& path, std::string message, Failure failure) {
@@ -89,16 +88,17 @@ bool Problems::has(const Path& path) const {
   const std::string key = path.text();
   return std::any_of(errors_.begin(), errors_.end(), [&](const Diagnostic& error) {
     if (error.key.compare(0, key.size(), key) != 0) return false;
-    return key.empty() || error.key.size() == key.size() || error.key[key.size()] == '.' || error.key[key.size()] == '[';
+    return key.empty() || error.key.size() == key.size() || error.key[key.size()] == '.' ||
+           error.key[key.size()] == '[';
   });
 }
 
 Diagnostics Problems::errors() const {
   Diagnostics result = by_place(errors_);
-  if (more_ > 0) {
+  if (full()) {
     Diagnostic rest;
     rest.source = document_ != nullptr ? document_->source : std::string();
-    rest.message = "and " + std::to_string(more_) + " more problems";
+    rest.message = "too many problems: only " + std::to_string(most_shown) + " are shown";
     result.push_back(std::move(rest));
   }
   return result;

@@ -15,7 +15,7 @@ inline constexpr std::string_view override_source = "--set";
 
 class Problems {
  public:
-  // More than this helps nobody, and a hostile file holds a million: the rest is counted.
+  // More than this helps nobody, and a hostile file holds a million: the rest is left out.
   static constexpr std::size_t most_shown = 100;
 
   // `document` may be null: then problems have no place, only a path.
@@ -26,8 +26,8 @@ class Problems {
   void add(const io::YamlNode& node, const Path& path, std::string message);
   void add_warning(const Path& path, std::string message);
 
-  // What another room said about the text of the value, e.g. a stack expression. Its columns count from the start of the
-  // text; they become columns of the file where the text is written in it letter by letter.
+  // What another room said about the text of the value, e.g. a stack expression. Its columns count from the start of
+  // the text; they become columns of the file where the text is written in it letter by letter.
   void add_from_text(const Path& path, const Diagnostic& inner);
 
   // What was wrong with a file that the value names: at the value, and at the place in that file if it has one.
@@ -38,7 +38,6 @@ class Problems {
 
   bool empty() const { return errors_.empty(); }
   bool full() const { return errors_.size() >= most_shown; }
-  void count() { ++more_; }  // one more when full()
 
   // Sorted by place; what came from the command line stands last.
   Diagnostics errors() const;
@@ -50,7 +49,6 @@ class Problems {
 
   const io::YamlDocument* document_;
   Diagnostics errors_, warnings_;
-  std::size_t more_ = 0;
 };
 
 }  // namespace shabon::scene

@@ -21,7 +21,7 @@ std::string value_cell(const Key& key) {
     for (std::string_view name : key.info.names()) text += (text.back() == ' ' ? "" : ", ") + std::string(name);
   }
   const std::string range = range_text(key.info);
-  return range.empty() ? text : text + ", " + range;
+  return range.empty() || range == text ? text : text + ", " + range;
 }
 
 std::string default_cell(const Mapping& mapping, const Key& key) {
@@ -30,7 +30,7 @@ std::string default_cell(const Mapping& mapping, const Key& key) {
     return only ? "required" : "one of " + mapping.names_of_choices();
   }
   if (key.info.required) return "required";
-  return key.initial.empty() ? "see below" : key.initial;
+  return key.initial.empty() ? "of its keys" : key.initial;
 }
 
 void add_rows(const Mapping& mapping, const std::string& above, std::string& table) {

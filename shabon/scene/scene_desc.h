@@ -1,5 +1,5 @@
-// What a scene file says, as plain data with defaults. Members bear the names of the file's keys; units and ranges stand
-// in schema_fields.h. A description can also be written in code: compile() checks it by the same lists.
+// What a scene file says, as plain data with defaults. Members bear the names of the file's keys; units and ranges
+// stand in schema_fields.h. A description can also be written in code: compile() checks it by the same lists.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,19 @@ std::string joined(const std::vector<std::string>& parts, std::string_view last_
   return text;
 }
 
-std::string missing_message(const Key& key) { return "required key is missing; expected " + key.type; }
+std::string missing_message(const std::string& expected) { return "required key is missing; expected " + expected; }
+
+// The key an unknown name may be a slip of.
+const Key* meant_by(std::string_view name, const Mapping& mapping) {
+  const auto nearest = nearest_name(name, mapping.key_names());
+  return nearest ? mapping.find(*nearest) : nullptr;
+}
+
+bool has_common_keys(const Mapping& mapping) {
+  for (const Key& key : mapping.keys)
+    if (key.choice == Key::common) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -53,24 +65,31 @@ void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& 
     return;
   }
   int chosen = Key::common;
+  bool choice_given = mapping.choices.empty();
   std::string_view chosen_key;
   std::vector<bool> present(mapping.keys.size(), false);
   for (const auto& [name, value] : node.entries) {
-    if (problems.full()) return problems.count();
+    if (problems.full()) return;
     const Path below{&path, name.text};
     const Key* key = mapping.find(name.text);
     if (key == nullptr) {
       problems.add(name, below, unknown_name("key", name.text, mapping.key_names()));
+      // What the slip stands for is not missing, nor is the choice where nothing but a choice can stand.
+      const Key* meant = meant_by(name.text, mapping);
+      if (meant != nullptr) present[static_cast<std::size_t>(meant - mapping.keys.data())] = true;
+      choice_given |= !has_common_keys(mapping) || (meant != nullptr && meant->choice != Key::common);
       continue;
     }
     if (key->choice != Key::common) {
       if (chosen == Key::common) {
         chosen = key->choice;
         chosen_key = key->key;
+        choice_given = true;
         mapping.choose(object, chosen);
       } else if (chosen != key->choice) {
-        problems.add(name, below,
-                     "cannot stand beside " + quoted(chosen_key) + "; expected only one of " + mapping.names_of_choices());
+        problems.add(
+            name, below,
+            "cannot stand beside " + quoted(chosen_key) + "; expected only one of " + mapping.names_of_choices());
         continue;
       }
     }
@@ -80,16 +99,15 @@ void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& 
   for (std::size_t i = 0; i < mapping.keys.size(); ++i) {
     const Key& key = mapping.keys[i];
     const bool wanted = key.choice == Key::common || key.choice == chosen;
-    if (key.info.required && wanted && !present[i]) problems.add(node, Path{&path, key.key}, missing_message(key));
+    if (key.info.required && wanted && !present[i]) problems.add(node, Path{&path, key.key}, missing_message(key.type));
   }
-  if (!mapping.choices.empty() && chosen == Key::common)
-    problems.add(node, path, "required key is missing; expected " + mapping.names_of_choices());
+  if (!choice_given) problems.add(node, path, missing_message(mapping.names_of_choices()));
 }
 
 void check_mapping(const Mapping& mapping, const void* object, const Path& path, Problems& problems) {
   const int chosen = mapping.choices.empty() ? Key::common : mapping.chosen(object);
   for (const Key& key : mapping.keys) {
-    if (problems.full()) return problems.count();
+    if (problems.full()) return;
     if (key.choice == Key::common || key.choice == chosen) key.check(object, Path{&path, key.key}, problems);
   }
   for (const auto& rule : mapping.rules) rule(object, path, problems);

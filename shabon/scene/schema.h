@@ -22,10 +22,10 @@ struct Key {
 
   std::string_view key;
   FieldInfo info;
-  std::string type;               // "number", "[x, y, z]", "list of mappings", ...
-  std::string initial;            // the default as it would be written, or empty
-  int choice = common;            // index into Mapping::choices when the key belongs to only one of them
-  const Mapping* below = nullptr; // of a mapping, or of the items of a list of mappings
+  std::string type;                // "number", "[x, y, z]", "list of mappings", ...
+  std::string initial;             // the default as it would be written, or empty
+  int choice = common;             // index into Mapping::choices when the key belongs to only one of them
+  const Mapping* below = nullptr;  // of a mapping, or of the items of a list of mappings
   bool is_list = false;
 
   // Turns the node into the member; what cannot be understood is a problem and leaves the member alone.
@@ -38,8 +38,8 @@ struct Key {
 struct Mapping {
   std::vector<Key> keys;
   std::vector<About> choices;
-  std::function<void(void* object, int choice)> choose;          // makes the variant hold that choice
-  std::function<int(const void* object)> chosen;                 // which one it holds
+  std::function<void(void* object, int choice)> choose;  // makes the variant hold that choice
+  std::function<int(const void* object)> chosen;         // which one it holds
   std::vector<std::function<void(const void* object, const Path&, Problems&)>> rules;  // between several members
 
   const Key* find(std::string_view key) const;

@@ -28,7 +28,9 @@ const Mapping& mapping_of();
 
 // A value that is written as one scalar or vector.
 template <class T>
-concept PlainValue = requires(const T& value) { value_text(value); };
+concept PlainValue = requires(const T& value) {
+  value_text(value);
+};
 
 template <class T>
 inline constexpr bool is_variant = false;
@@ -87,7 +89,7 @@ void describe_member(const V& initial, Key& key) {
     key.initial = "empty";
     key.is_list = true;
   } else if constexpr (PlainValue<V>) {
-    key.type = type_text(Of<V>{});
+    key.type = type_text(Of<V>{}, key.info);
     if (!key.info.required) key.initial = value_text(initial);
   } else {
     key.type = "a mapping";
@@ -97,8 +99,9 @@ void describe_member(const V& initial, Key& key) {
 
 // Whether a function check(const T&, const Path&, Problems&) says how T's members must fit together.
 template <class T>
-concept HasRules =
-    requires(const T& object, const Path& path, Problems& problems) { check(object, path, problems); };
+concept HasRules = requires(const T& object, const Path& path, Problems& problems) {
+  check(object, path, problems);
+};
 
 // `get` turns the untyped object into a reference to the member, const or not as the object is.
 template <class V, class Get>
@@ -120,9 +123,8 @@ template <class T, class Struct, class Member>
 void add(Mapping& mapping, const Field<Struct, Member>& field) {
   static const T initial{};
   const auto member = field.member;
-  mapping.keys.push_back(make_key(field.key, field.info, initial.*member, [member](void* object) -> Member& {
-    return static_cast<T*>(object)->*member;
-  }));
+  mapping.keys.push_back(make_key(field.key, field.info, initial.*member,
+                                  [member](void* object) -> Member& { return static_cast<T*>(object)->*member; }));
 }
 
 // Adds the keys of alternative I of a variant: its own name, or the keys of its fields when it is flat.
@@ -137,8 +139,9 @@ void add_alternative(Mapping& mapping, Get get) {
   if constexpr (told.flat) {
     const auto add_one = [&](const auto& field) {
       const auto member = field.member;
-      mapping.keys.push_back(make_key(field.key, field.info, initial.*member,
-                                      [chosen, member](void* object) -> auto& { return chosen(object).*member; }));
+      mapping.keys.push_back(make_key(
+          field.key, field.info, initial.*member,
+          [ chosen, member ](void* object) -> auto& { return chosen(object).*member; }));
     };
     std::apply([&](const auto&... field) { (add_one(field), ...); }, fields(Of<Alternative>{}));
     if constexpr (HasRules<Alternative>)
@@ -159,7 +162,8 @@ void add_choices(Mapping& mapping, Get get) {
     using Maker = void (*)(Variant&);
     static constexpr Maker makers[] = {[](Variant& variant) { variant.template emplace<I>(); }...};
     mapping.choose = [get](void* object, int choice) { makers[choice](get(object)); };
-  }(std::make_index_sequence<std::variant_size_v<Variant>>{});
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>{});
   mapping.chosen = [get](const void* object) { return static_cast<int>(get(const_cast<void*>(object)).index()); };
 }
 

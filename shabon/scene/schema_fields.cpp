@@ -56,14 +56,13 @@ void check(const CameraDesc& camera, const Path& path, Problems& problems) {
   const math::Vec3d view = camera.look_at - camera.position;
   const double coordinates = std::max(1.0, length_of(camera.position));
   if (length_of(view) < shortest_vector * coordinates)
-    return problems.add(look_at, "expected a point away from the camera's position, got " +
-                                                    value_text(camera.look_at) + ", which is the position");
+    return problems.add(look_at, "expected a point away from the camera's position, got " + value_text(camera.look_at) +
+                                     ", which is the position");
   if (length_of(camera.up) < shortest_vector)
     return problems.add(upwards, "expected a direction, got " + value_text(camera.up));
   const math::Vec3d forward = view * (1 / length_of(view)), up = camera.up * (1 / length_of(camera.up));
   if (length_of(math::cross(forward, up)) < parallel_sine)
-    problems.add(upwards, "expected a direction that is not parallel to the view, got " +
-                                        value_text(camera.up));
+    problems.add(upwards, "expected a direction that is not parallel to the view, got " + value_text(camera.up));
 }
 
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
@@ -84,8 +83,9 @@ void check(const SceneDesc& scene, const Path& path, Problems& problems) {
   const bool averaged = scene.render.interference == optics::Interference::two_beam;
   if (scene.camera.polarizer_deg && averaged) {
     const Path camera{&path, "camera"};
-    problems.add_warning(Path{&camera, "polarizer_deg"},
-                         "the two-beam model averages over polarisation at each wall: a polariser only halves the light");
+    problems.add_warning(
+        Path{&camera, "polarizer_deg"},
+        "the two-beam model averages over polarisation at each wall: a polariser only halves the light");
   }
 }
 

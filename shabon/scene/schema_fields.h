@@ -41,7 +41,9 @@ constexpr auto fields(Of<ImageDesc>) {
 constexpr auto fields(Of<CameraDesc>) {
   return std::tuple{
       Field{"position", &CameraDesc::position, {.range = coordinate_range, .doc = "where the camera stands"}},
-      Field{"look_at", &CameraDesc::look_at, {.range = coordinate_range, .doc = "the point in the middle of the picture"}},
+      Field{"look_at",
+            &CameraDesc::look_at,
+            {.range = coordinate_range, .doc = "the point in the middle of the picture"}},
       Field{"up", &CameraDesc::up, {.range = coordinate_range, .doc = "upwards in the picture; not along the view"}},
       Field{"vertical_fov_deg",
             &CameraDesc::vertical_fov_deg,
@@ -70,7 +72,9 @@ constexpr auto fields(Of<LampDesc>) {
       Field{"scale", &LampDesc::scale, {.range = scale_range, .doc = "brightness; 1 has Y = 1 when seen directly"}}};
 }
 
-constexpr About about(Of<ConstantEnvironmentDesc>) { return {.name = "constant", .doc = "the same light from everywhere"}; }
+constexpr About about(Of<ConstantEnvironmentDesc>) {
+  return {.name = "constant", .doc = "the same light from everywhere"};
+}
 constexpr auto fields(Of<ConstantEnvironmentDesc>) { return fields(Of<LampDesc>{}); }
 
 constexpr About about(Of<GradientEnvironmentDesc>) { return {.name = "gradient", .doc = "two lamps mixed by height"}; }
@@ -88,18 +92,21 @@ constexpr auto fields(Of<ImageEnvironmentDesc>) {
       Field{"file",
             &ImageEnvironmentDesc::file,
             {.required = true, .doc = "OpenEXR or Radiance HDR picture, relative to the scene file"}},
-      Field{"rotation_deg",
-            &ImageEnvironmentDesc::rotation_deg,
-            {.unit = "degrees", .range = angle_range_deg, .doc = "azimuth of the picture's middle, from -z towards +x"}},
+      Field{
+          "rotation_deg",
+          &ImageEnvironmentDesc::rotation_deg,
+          {.unit = "degrees", .range = angle_range_deg, .doc = "azimuth of the picture's middle, from -z towards +x"}},
       Field{"scale", &ImageEnvironmentDesc::scale, {.range = scale_range, .doc = "factor on the picture's values"}}};
 }
 
 constexpr About about(Of<RoundShapeDesc>) { return {.name = "round", .doc = "a disk", .flat = true}; }
 constexpr auto fields(Of<RoundShapeDesc>) {
-  return std::tuple{Field{
-      "half_angle_deg",
-      &RoundShapeDesc::half_angle_deg,
-      {.unit = "degrees", .range = up_to_half_turn_deg, .required = true, .doc = "round lamp: from its axis to its rim"}}};
+  return std::tuple{Field{"half_angle_deg",
+                          &RoundShapeDesc::half_angle_deg,
+                          {.unit = "degrees",
+                           .range = up_to_half_turn_deg,
+                           .required = true,
+                           .doc = "round lamp: from its axis to its rim"}}};
 }
 
 constexpr About about(Of<WindowShapeDesc>) { return {.name = "window", .doc = "a flat rectangle", .flat = true}; }
@@ -117,8 +124,7 @@ constexpr auto fields(Of<WindowShapeDesc>) {
 }
 
 constexpr auto fields(Of<SoftboxDesc>) {
-  constexpr FieldInfo direction{
-      .range = coordinate_range, .required = true, .doc = "towards the lamp, of any length"};
+  constexpr FieldInfo direction{.range = coordinate_range, .required = true, .doc = "towards the lamp, of any length"};
   return std::tuple_cat(std::tuple{Field{"direction", &SoftboxDesc::direction, direction}, Choice{&SoftboxDesc::shape}},
                         fields(Of<LampDesc>{}));
 }
@@ -160,7 +166,9 @@ constexpr auto fields(Of<SceneDesc>) {
       Field{"image", &SceneDesc::image, {.doc = "size of the picture; pixels are square"}},
       Field{"camera", &SceneDesc::camera, {.doc = "where the picture is taken from"}},
       Field{"render", &SceneDesc::render, {.doc = "how the picture is computed"}},
-      Field{"environment", &SceneDesc::environment, {.required = true, .doc = "the light: exactly one base, any softboxes"}},
+      Field{"environment",
+            &SceneDesc::environment,
+            {.required = true, .doc = "the light: exactly one base, any softboxes"}},
       Field{"objects", &SceneDesc::objects, {.doc = "what is seen"}}};
 }
 

@@ -17,17 +17,18 @@ bool wrong_type(const io::YamlNode& node, const Path& path, const std::string& e
 
 bool is_plain_scalar(const io::YamlNode& node) { return node.kind == io::YamlNode::Kind::scalar && !node.quoted; }
 
-std::string with_unit(double bound, std::string_view unit) {
-  std::string text = format_number(bound);
-  if (std::abs(bound) < 1e15 && bound == std::floor(bound)) text = std::to_string(static_cast<long long>(bound));
-  return unit.empty() ? text : text + " " + std::string(unit);
+std::string with_unit(const std::string& number, std::string_view unit) {
+  return unit.empty() ? number : number + " " + std::string(unit);
 }
+
+std::string with_unit(double number, std::string_view unit) { return with_unit(value_text(number), unit); }
 
 // "expected >= 0 nm, got -120" when `value` leaves the range.
 std::optional<std::string> out_of_range(double value, const std::string& got, const FieldInfo& info) {
   if (!std::isfinite(value)) return "expected a finite number, got " + got;
   const Range& range = info.range;
-  if (range.low == range.high && value != range.low) return "expected " + with_unit(range.low, info.unit) + ", got " + got;
+  if (range.low == range.high && value != range.low)
+    return "expected " + with_unit(range.low, info.unit) + ", got " + got;
   if (!range.above_low(value))
     return "expected " + std::string(range.low_open ? "> " : ">= ") + with_unit(range.low, info.unit) + ", got " + got;
   if (!range.below_high(value))
@@ -49,7 +50,7 @@ std::optional<long long> whole_number(const io::YamlNode& node) {
 template <class Whole>
 bool read_whole(const io::YamlNode& node, const FieldInfo& info, const Path& path, Whole& value, Problems& problems) {
   const std::optional<long long> whole = whole_number(node);
-  if (!whole) return wrong_type(node, path, type_text(Of<Whole>{}), problems);
+  if (!whole) return wrong_type(node, path, type_text(Of<Whole>{}, info), problems);
   if (const auto problem = out_of_range(static_cast<double>(*whole), std::to_string(*whole), info)) {
     problems.add(node, path, *problem);
     return false;
@@ -67,9 +68,9 @@ constexpr std::string_view component_names = "xyz";
 
 }  // namespace
 
-bool read_value(const io::YamlNode& node, const FieldInfo&, const Path& path, double& value, Problems& problems) {
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, double& value, Problems& problems) {
   const auto number = is_plain_scalar(node) ? parse_number(node.text) : std::nullopt;
-  if (!number) return wrong_type(node, path, type_text(Of<double>{}), problems);
+  if (!number) return wrong_type(node, path, type_text(Of<double>{}, info), problems);
   value = *number;
   return true;
 }
@@ -83,32 +84,37 @@ bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& pat
   return read_whole(node, info, path, value, problems);
 }
 
-bool read_value(const io::YamlNode& node, const FieldInfo&, const Path& path, std::string& value, Problems& problems) {
-  if (node.kind != io::YamlNode::Kind::scalar) return wrong_type(node, path, type_text(Of<std::string>{}), problems);
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, std::string& value,
+                Problems& problems) {
+  if (node.kind != io::YamlNode::Kind::scalar)
+    return wrong_type(node, path, type_text(Of<std::string>{}, info), problems);
   value = node.text;
   return true;
 }
 
 bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, math::Vec3d& value,
                 Problems& problems) {
-  if (node.kind != io::YamlNode::Kind::sequence) return wrong_type(node, path, type_text(Of<math::Vec3d>{}), problems);
+  if (node.kind != io::YamlNode::Kind::sequence)
+    return wrong_type(node, path, type_text(Of<math::Vec3d>{}, info), problems);
   if (node.items.size() != component_names.size()) {
-    problems.add(node, path,
-                 "expected " + type_text(Of<math::Vec3d>{}) + ", got " + std::to_string(node.items.size()) + " items");
+    problems.add(
+        node, path,
+        "expected " + type_text(Of<math::Vec3d>{}, info) + ", got " + std::to_string(node.items.size()) + " items");
     return false;
   }
   double components[3] = {};
   bool understood = true;
   for (int i = 0; i < 3; ++i)
-    understood &= read_value(node.items[static_cast<std::size_t>(i)], info, Path{&path, {}, i}, components[i], problems);
+    understood &=
+        read_value(node.items[static_cast<std::size_t>(i)], info, Path{&path, {}, i}, components[i], problems);
   if (understood) value = {components[0], components[1], components[2]};
   return understood;
 }
 
-bool read_value(const io::YamlNode& node, const FieldInfo&, const Path& path, optics::Interference& value,
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, optics::Interference& value,
                 Problems& problems) {
   if (node.kind != io::YamlNode::Kind::scalar)
-    return wrong_type(node, path, type_text(Of<optics::Interference>{}), problems);
+    return wrong_type(node, path, type_text(Of<optics::Interference>{}, info), problems);
   if (const auto found = optics::find_interference(node.text)) {
     value = *found;
     return true;
@@ -146,35 +152,48 @@ void check_value(const math::Vec3d& value, const FieldInfo& info, const Path& pa
 
 void check_value(optics::Interference, const FieldInfo&, const Path&, Problems&) {}
 
-std::string type_text(Of<double>) { return "a number"; }
-std::string type_text(Of<int>) { return "a whole number"; }
-std::string type_text(Of<std::uint64_t>) { return "a whole number"; }
-std::string type_text(Of<std::string>) { return "a text"; }
-std::string type_text(Of<math::Vec3d>) { return "three numbers [x, y, z]"; }
+std::string type_text(Of<double>, const FieldInfo&) { return "a number"; }
 
-std::string type_text(Of<optics::Interference>) {
+std::string type_text(Of<int>, const FieldInfo& info) {
+  const bool only_one = info.range.low == info.range.high;
+  return only_one ? with_unit(info.range.low, info.unit) : "a whole number";
+}
+
+std::string type_text(Of<std::uint64_t>, const FieldInfo&) { return "a whole number"; }
+std::string type_text(Of<std::string>, const FieldInfo&) { return "text"; }
+std::string type_text(Of<math::Vec3d>, const FieldInfo&) { return "three numbers [x, y, z]"; }
+
+std::string type_text(Of<optics::Interference>, const FieldInfo&) {
   std::string text;
   for (const optics::InterferenceEntry& entry : optics::interference_models)
     text += (text.empty() ? "" : ", ") + std::string(entry.name);
   return "one of " + text;
 }
 
-std::string value_text(double value) { return format_number(value); }
+std::string value_text(double value) {
+  constexpr double longest_whole = 1e9;  // beyond it an exponent reads better
+  const bool whole = std::abs(value) <= longest_whole && value == std::floor(value);
+  return whole ? std::to_string(static_cast<long long>(value)) : format_number(value);
+}
 std::string value_text(int value) { return std::to_string(value); }
 std::string value_text(std::uint64_t value) { return std::to_string(value); }
 std::string value_text(const std::string& value) { return value; }
 std::string value_text(optics::Interference value) { return std::string(optics::name_of(value)); }
 std::string value_text(const math::Vec3d& v) {
-  return "[" + format_number(v.x) + ", " + format_number(v.y) + ", " + format_number(v.z) + "]";
+  return "[" + value_text(v.x) + ", " + value_text(v.y) + ", " + value_text(v.z) + "]";
 }
 
 std::string range_text(const FieldInfo& info) {
   const Range& range = info.range;
-  std::string text;
-  if (range.has_low()) text = (range.low_open ? "> " : ">= ") + with_unit(range.low, info.unit);
-  if (range.has_high())
-    text += (text.empty() ? "" : ", ") + std::string(range.high_open ? "< " : "<= ") + with_unit(range.high, info.unit);
-  return text;
+  if (range.low == range.high) return with_unit(range.low, info.unit);
+  const std::string low = (range.low_open ? "> " : ">= ") + value_text(range.low);
+  const std::string high = (range.high_open ? "< " : "<= ") + value_text(range.high);
+  if (range.has_low() && range.has_high()) {
+    const bool closed = !range.low_open && !range.high_open;
+    const std::string text = closed ? value_text(range.low) + ".." + value_text(range.high) : low + ", " + high;
+    return with_unit(text, info.unit);
+  }
+  return range.has_low() ? with_unit(low, info.unit) : range.has_high() ? with_unit(high, info.unit) : "";
 }
 
 }  // namespace shabon::scene

@@ -17,10 +17,14 @@ namespace shabon::scene {
 // numbers are held against the field's range at once: out of it they may not fit their type.
 bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, double& value, Problems& problems);
 bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, int& value, Problems& problems);
-bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, std::uint64_t& value, Problems& problems);
-bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, std::string& value, Problems& problems);
-bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, math::Vec3d& value, Problems& problems);
-bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, optics::Interference& value, Problems& problems);
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, std::uint64_t& value,
+                Problems& problems);
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, std::string& value,
+                Problems& problems);
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, math::Vec3d& value,
+                Problems& problems);
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, optics::Interference& value,
+                Problems& problems);
 
 // Adds a problem where the value is not finite, leaves the field's range or is none of its names.
 void check_value(double value, const FieldInfo& info, const Path& path, Problems& problems);
@@ -30,13 +34,13 @@ void check_value(const std::string& value, const FieldInfo& info, const Path& pa
 void check_value(const math::Vec3d& value, const FieldInfo& info, const Path& path, Problems& problems);
 void check_value(optics::Interference value, const FieldInfo& info, const Path& path, Problems& problems);
 
-// "a number", "three numbers [x, y, z]", ...
-std::string type_text(Of<double>);
-std::string type_text(Of<int>);
-std::string type_text(Of<std::uint64_t>);
-std::string type_text(Of<std::string>);
-std::string type_text(Of<math::Vec3d>);
-std::string type_text(Of<optics::Interference>);
+// "a number", "three numbers [x, y, z]", ...; the number itself when the field's range holds only one.
+std::string type_text(Of<double>, const FieldInfo& info);
+std::string type_text(Of<int>, const FieldInfo& info);
+std::string type_text(Of<std::uint64_t>, const FieldInfo& info);
+std::string type_text(Of<std::string>, const FieldInfo& info);
+std::string type_text(Of<math::Vec3d>, const FieldInfo& info);
+std::string type_text(Of<optics::Interference>, const FieldInfo& info);
 
 // As it would be written in a file.
 std::string value_text(double value);
@@ -46,7 +50,7 @@ std::string value_text(const std::string& value);
 std::string value_text(const math::Vec3d& value);
 std::string value_text(optics::Interference value);
 
-// ">= 0 nm", "in (0, 180) degrees"; empty when every number will do.
+// "0..1000000 nm", "> 0, < 180 degrees", ">= 0"; empty when every number will do.
 std::string range_text(const FieldInfo& info);
 
 }  // namespace shabon::scene
