@@ -33,7 +33,8 @@ constexpr PictureKind kinds[] = {
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  const fs::path one = fs::weakly_canonical(a, error), other = fs::weakly_canonical(b, error);
+  const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
+  const fs::path other = fs::weakly_canonical(fs::absolute(b), error);
   return !error && one == other;
 }
 

@@ -59,11 +59,13 @@ constexpr Format formats[] = {{"csv", probe_csv}, {"json", probe_json}};
 Result<render::ProbeRay> chosen_ray(const ProbeCommand& command, const scene::Scene& scene) {
   if (command.pixel.empty()) {
     const std::vector<double>& r = command.ray;
-    const math::Vec3d direction{r[3], r[4], r[5]};
-    const double length = math::length(direction);
-    if (!(length > 0) || !std::isfinite(length))
-      return fail(Failure::usage, "--ray: expected a direction of finite length > 0");
-    return render::ProbeRay{{r[0], r[1], r[2]}, direction * (1 / length)};
+    // Scaled first: the square of a long direction would not fit.
+    const double longest = std::max({std::abs(r[3]), std::abs(r[4]), std::abs(r[5])});
+    if (longest == 0) return fail(Failure::usage, "--ray: expected a direction that is not 0 0 0");
+    render::ProbeRay ray;
+    ray.origin = {r[0], r[1], r[2]};
+    ray.direction = {r[3] / longest, r[4] / longest, r[5] / longest};
+    return ray;
   }
   // Fractions name points within a pixel; whole numbers its centre.
   const double x = command.pixel[0], y = command.pixel[1];

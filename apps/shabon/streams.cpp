@@ -27,6 +27,7 @@ int write_all(int descriptor, std::string_view text) {
 
 void guard_standard_streams() {
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) != -1) continue;
     // The lowest free number is the one just found closed. Read only: a write to it keeps failing.

@@ -9,7 +9,7 @@ namespace shabon::app {
 
 inline constexpr int success = 0;
 
-// Call once, first. A closed pipe becomes an error that can be reported, and a standard stream that was closed by the
+// Call once, first. A closed pipe and a file that may not grow become errors that can be reported, and a standard stream that was closed by the
 // caller stays unwritable: without this the next opened file would take its number and receive the results.
 void guard_standard_streams();
 

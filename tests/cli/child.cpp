@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,6 +35,10 @@ int open_output(const Setting& setting, const fs::path& kept) {
   ::dup2(err, STDERR_FILENO);
   if (setting.output == Setting::Output::closed) ::close(STDOUT_FILENO);
   if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(126);
+  if (setting.most_file_bytes) {
+    const rlimit limit{*setting.most_file_bytes, *setting.most_file_bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
   for (const auto& [name, value] : setting.environment) ::setenv(name.c_str(), value.c_str(), 1);
   std::vector<char*> argv{const_cast<char*>(SHABON_PROGRAM)};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));

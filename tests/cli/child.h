@@ -19,6 +19,7 @@ struct Setting {
   std::filesystem::path folder;  // the working folder; empty: that of the test
   std::vector<std::pair<std::string, std::string>> environment;
   enum class Output { kept, device_full, closed_pipe, closed } output = Output::kept;
+  std::optional<std::size_t> most_file_bytes;  // no file may grow larger, as on a full disk
   // These signals, each after its pause.
   std::vector<std::pair<std::chrono::milliseconds, int>> signals;
 };

@@ -84,31 +84,30 @@ TEST(Spectrum, PrintsTheReferenceWithAllItsDigits) {
   }
 }
 
-// Rows of films computed by sbyrnes321/tmm 0.2.0 and checked against PyMoosh.
-struct PublishedFilm {
-  std::string stack;
-  double angle_deg, wavelength_nm, R_s, R_p, T_s, T_p;
-};
-const std::vector<PublishedFilm> published_films = {
-    {"1 | 2.2576890238772407+1.3811737107351245i 116.35285353677902nm | 1", 20.043439909162675, 500.0665139644902,
-     0.2929203115649324, 0.2489710441619222, 0.011589930906862002, 0.012865838168198251},
-    {"air | 2.7496358218845987 7.897956848362087 nm | vacuum", 73.08932923606619, 698.8277715008185,
-     0.38805305644306054, 0.0008424320438968094, 0.6119469435569385, 0.9991575679561018},
-    {"1.0 | 1.4695810210223692 0nm | 5.481999999999999+0.28376999999999974i", 70, 405, 0.776535704103236,
-     0.09773961226743093, 0.22346429589676414, 0.9022603877325701},
-    {"1.0 | 5.481999999999999+0.28376999999999974i", 70, 405, 0.776535704103236, 0.09773961226743093,
-     0.22346429589676414, 0.9022603877325701},
-};
-
+// Films computed by sbyrnes321/tmm 0.2.0 and PyMoosh; the file says how.
 TEST(Spectrum, AgreesWithAnIndependentProgram) {
-  for (const PublishedFilm& p : published_films) {
+  const Result<io::CsvTable> films = io::read_csv(SHABON_TEST_DATA "/optics/a_film_random.csv");
+  ASSERT_TRUE(films.ok());
+  const auto n = column(*films, "n"), k = column(*films, "k"), thickness_nm = column(*films, "d_nm");
+  const auto angle_deg = column(*films, "theta_deg"), wavelength_nm = column(*films, "lambda_nm");
+  for (std::size_t i = 0; i < films->rows.size(); i += 41) {
+    const std::string index = format_number(n[i]) + "+" + format_number(k[i]) + "i";
+    const std::string stack = "1 | " + index + " " + format_number(thickness_nm[i]) + "nm | air";
     const io::CsvTable table = table_of(
-        {"spectrum", p.stack, "--angle", format_number(p.angle_deg), "--wavelengths", format_number(p.wavelength_nm)});
-    EXPECT_NEAR(column(table, "R_s").at(0), p.R_s, 1e-10) << p.stack;
-    EXPECT_NEAR(column(table, "R_p").at(0), p.R_p, 1e-10) << p.stack;
-    EXPECT_NEAR(column(table, "T_s").at(0), p.T_s, 1e-10) << p.stack;
-    EXPECT_NEAR(column(table, "T_p").at(0), p.T_p, 1e-10) << p.stack;
+        {"spectrum", stack, "--angle", format_number(angle_deg[i]), "--wavelengths", format_number(wavelength_nm[i])});
+    for (const char* name : {"R_s", "R_p", "T_s", "T_p"})
+      EXPECT_NEAR(column(table, name).at(0), column(*films, name)[i], 1e-10) << stack << " " << name;
   }
+}
+
+// A bare interface is the film of no thickness that it is the limit of.
+TEST(Spectrum, KnowsBareInterfaces) {
+  for (const char* angle : {"0", "30", "89"}) {
+    const std::string bare = result_of({"spectrum", "air | 2.4+0.5i", "--angle", angle});
+    EXPECT_EQ(bare, result_of({"spectrum", "air | 2.4+0.5i 0nm | 2.4+0.5i", "--angle", angle}));
+  }
+  const io::CsvTable glass = table_of({"spectrum", "1 | 1.5", "--wavelengths", "500"});
+  EXPECT_NEAR(column(glass, "R_s").at(0), 0.04, 1e-15);  // ((1.5 - 1)/(1.5 + 1))^2
 }
 
 TEST(Spectrum, SeveralAnglesComeFirst) {
@@ -229,30 +228,21 @@ TEST(Color, JsonHasExactlyTheKeysOfTheContract) {
                                                        "hex_mapped", "in_gamut"}));
 }
 
-// Newton's colours of a free film, n = 1.333, under D65: computed by colour-science 0.4.6 from spectra of
-// sbyrnes321/tmm, with the official 1 nm tables of the CIE.
-struct NewtonColor {
-  double thickness_nm, X, Y, Z, linear_r, linear_g, linear_b;
-};
-const std::vector<NewtonColor> newton_colors = {
-    {30, 0.015166236820982709, 0.01611123680276369, 0.024945534504093144, 0.011946061313192239, 0.016560991244383858,
-     0.023924097254476154},
-    {120, 0.06782634586138907, 0.07284234586422807, 0.055953954882170684, 0.07993730707437588, 0.07323478928382693,
-     0.04805676125778632},
-    {180, 0.021501989863979252, 0.01606182053728812, 0.005137872332029035, 0.04243233171535446, 0.009504291079672126,
-     0.0033505008011318962},
-};
-
+// Newton's colours of a free film, n = 1.333, under D65, computed by colour-science 0.4.6 from spectra of
+// sbyrnes321/tmm; the file says how.
 TEST(Color, AgreesWithAnIndependentProgram) {
-  for (const NewtonColor& c : newton_colors) {
-    const std::string stack = "air | 1.333 " + format_number(c.thickness_nm) + "nm | air";
-    const io::YamlDocument json = json_of({"color", stack, "--illuminant", "d65", "--format", "json"});
-    const std::vector<double> xyz = numbers(json.root, "XYZ"), linear = numbers(json.root, "linear_srgb");
-    const double expected[] = {c.X, c.Y, c.Z, c.linear_r, c.linear_g, c.linear_b};
-    for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_NEAR(xyz.at(i), expected[i], 1e-9) << stack;
-      EXPECT_NEAR(linear.at(i), expected[i + 3], 1e-9) << stack;
-    }
+  const Result<io::CsvTable> films = io::read_csv(SHABON_TEST_DATA "/color/newton_d65.csv");
+  ASSERT_TRUE(films.ok());
+  const std::pair<const char*, std::vector<std::string>> results[] = {{"XYZ", {"X", "Y", "Z"}},
+                                                                      {"linear_srgb", {"linDR", "linDG", "linDB"}}};
+  const auto thickness_nm = column(*films, "d_nm"), angle_deg = column(*films, "theta_deg");
+  for (std::size_t i = 0; i < films->rows.size(); i += 17) {
+    const std::string stack = "air | 1.333 " + format_number(thickness_nm[i]) + "nm | air";
+    const io::YamlDocument json =
+        json_of({"color", stack, "--angle", format_number(angle_deg[i]), "--illuminant", "d65", "--format", "json"});
+    for (const auto& [key, columns] : results)
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(numbers(json.root, key).at(c), column(*films, columns[c])[i], 1e-9) << stack << " " << columns[c];
   }
 }
 
