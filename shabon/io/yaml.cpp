@@ -27,13 +27,14 @@ std::optional<TextDefect> find_too_many_tokens(std::string_view text) {
   return {};
 }
 
-// Feeds the builder; what yaml-cpp cannot parse becomes one of its errors.
-void build(const std::string& text, YamlTreeBuilder& builder) {
+// Feeds the builder; what yaml-cpp cannot parse becomes one of its errors. Returns whether it came to the end.
+bool build(const std::string& text, YamlTreeBuilder& builder) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
+    return true;
   } catch (const YAML::Exception& problem) {
     try {
       builder.syntax_error(problem.mark, problem.msg);
@@ -41,6 +42,7 @@ void build(const std::string& text, YamlTreeBuilder& builder) {
     }
   } catch (const YamlStop&) {
   }
+  return false;
 }
 
 Diagnostics without_place(const std::string& source, Failure failure, std::string message) {
@@ -51,7 +53,14 @@ Diagnostics without_place(const std::string& source, Failure failure, std::strin
 
 }  // namespace
 
-Result<YamlDocument> parse_yaml(std::string_view text, std::string source) try {
+Result<YamlDocument> parse_yaml(std::string_view text, std::string source) {
+  Diagnostics flaws;
+  Result<YamlDocument> document = parse_yaml(text, std::move(source), flaws);
+  if (!flaws.empty()) return flaws;
+  return document;
+}
+
+Result<YamlDocument> parse_yaml(std::string_view text, std::string source, Diagnostics& flaws) try {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.size() > yaml_max_bytes)
     return without_place(source, Failure::content, "larger than " + std::to_string(yaml_max_bytes) + " bytes");
@@ -60,8 +69,8 @@ Result<YamlDocument> parse_yaml(std::string_view text, std::string source) try {
   const std::string plain = with_plain_line_ends(text);
   YamlDocument document{std::move(source), split_lines(plain), {}};
   YamlTreeBuilder builder(document.source, document.lines);
-  build(plain, builder);
-  if (!builder.errors().empty()) return builder.errors();
+  if (!build(plain, builder)) return builder.errors();
+  flaws.insert(flaws.end(), builder.errors().begin(), builder.errors().end());
   document.root = std::move(builder.root());
   if (document.root.kind == YamlNode::Kind::null)
     return Diagnostics{diagnostic_at(document.source, document.lines, 1, 1, "the document is empty")};

@@ -149,6 +149,18 @@ TEST(Yaml, ReportsSeveralProblemsAtOnce) {
   EXPECT_EQ(parse_yaml(repeat("a: 1\n", 5000), "t").errors().size(), 100u);
 }
 
+TEST(Yaml, ReadsOnPastFlaws) {
+  Diagnostics flaws;
+  const auto document = parse_yaml("a: 1\na: 2\nb: !x 3\n<<: {c: 4}\nd: 5", "t", flaws);
+  ASSERT_TRUE(document.ok());
+  EXPECT_EQ(flaws.size(), 3u);
+  EXPECT_EQ(document->root.entries.size(), 3u);
+  EXPECT_EQ(find(document->root, "a")->text, "1");
+  EXPECT_EQ(find(document->root, "d")->text, "5");
+  EXPECT_EQ(parse_yaml("a: 1\na: [", "t", flaws).errors().size(), 2u);  // nothing to read on
+  EXPECT_EQ(flaws.size(), 3u);
+}
+
 TEST(Yaml, ShowsTheLine) {
   EXPECT_EQ(errors_of(parse_yaml("a: 1\n\xC3\xA9: *b", "s.yaml")),
             "s.yaml:2:4: error: unknown alias: no anchor of this name comes before it\n    \xC3\xA9: *b\n       ^\n");
