@@ -103,11 +103,6 @@ class ObjectsCompiler {
   std::vector<std::string> warned_;
 };
 
-void hand_over(Diagnostics found, Diagnostics* warnings) {
-  if (warnings == nullptr) return;
-  for (Diagnostic& warning : found) warnings->push_back(std::move(warning));
-}
-
 // `problems` may hold what reading found: then the rest is added and there is no scene.
 Result<Scene> compile_with(const SceneDesc& description, const Resources& resources, Problems& problems) {
   const Path root;
@@ -129,11 +124,13 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   return scene;
 }
 
-Result<Scene> within_memory(const SceneDesc& description, const Resources& resources, Problems& problems,
-                            Diagnostics* warnings) {
+// Runs `work`, which returns a scene and fills `problems`.
+template <class Work>
+Result<Scene> within_memory(Problems& problems, Diagnostics* warnings, const Work& work) {
   try {
-    Result<Scene> scene = compile_with(description, resources, problems);
-    hand_over(problems.warnings(), warnings);
+    Result<Scene> scene = work();
+    if (warnings != nullptr)
+      for (Diagnostic& warning : problems.warnings()) warnings->push_back(std::move(warning));
     return scene;
   } catch (const std::bad_alloc&) {
     return fail(Failure::internal, "the scene does not fit into memory");
@@ -144,22 +141,24 @@ Result<Scene> within_memory(const SceneDesc& description, const Resources& resou
 
 Result<Scene> compile(const SceneDesc& description, const Resources& resources, Diagnostics* warnings) {
   Problems problems(description.origin.get());
-  return within_memory(description, resources, problems, warnings);
+  return within_memory(problems, warnings, [&] { return compile_with(description, resources, problems); });
 }
 
 Result<Scene> load_scene(std::string_view text, std::string source, std::span<const std::string> overrides,
                          const Resources& resources, Diagnostics* warnings) {
-  Result<io::YamlDocument> document = io::parse_yaml(text, std::move(source));
+  Diagnostics flaws;
+  Result<io::YamlDocument> document = io::parse_yaml(text, std::move(source), flaws);
   if (!document) return document.errors();
-  Diagnostics refused;
   for (const std::string& assignment : overrides)
-    if (Status set = apply_override(*document, assignment); !set)
-      refused.insert(refused.end(), set.errors().begin(), set.errors().end());
-  if (!refused.empty()) return refused;
+    if (const Status set = apply_override(*document, assignment); !set)
+      flaws.insert(flaws.end(), set.errors().begin(), set.errors().end());
   const auto shared = std::make_shared<const io::YamlDocument>(*std::move(document));
   Problems problems(shared.get());
-  const SceneDesc description = read_description(shared, problems);
-  return within_memory(description, resources, problems, warnings);
+  problems.adopt(flaws);
+  return within_memory(problems, warnings, [&] {
+    const SceneDesc description = read_description(shared, problems);
+    return compile_with(description, resources, problems);
+  });
 }
 
 }  // namespace shabon::scene

@@ -14,7 +14,10 @@ constexpr std::size_t longest_excerpt = 2000;
 constexpr std::string_view optics_expression_source = "<stack>";
 
 Diagnostics by_place(Diagnostics diagnostics) {
-  const auto line = [](const Diagnostic& d) { return d.line > 0 ? d.line : std::numeric_limits<int>::max(); };
+  const auto line = [](const Diagnostic& d) {
+    const bool in_file = d.line > 0 && d.source != override_source;
+    return in_file ? d.line : std::numeric_limits<int>::max();
+  };
   std::stable_sort(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& a, const Diagnostic& b) {
     return line(a) != line(b) ? line(a) < line(b) : a.column < b.column;
   });
@@ -38,7 +41,16 @@ Diagnostic Problems::diagnostic(const io::YamlNode* node, const Path& path, std:
 }
 
 void Problems::keep(Diagnostic diagnostic) {
-  if (!full()) errors_.push_back(std::move(diagnostic));
+  const auto same_place = [&](const Diagnostic& flaw) {
+    return flaw.line > 0 && flaw.line == diagnostic.line && flaw.column == diagnostic.column;
+  };
+  const auto flaws_end = errors_.begin() + static_cast<std::ptrdiff_t>(flaws_);
+  if (!full() && std::none_of(errors_.begin(), flaws_end, same_place)) errors_.push_back(std::move(diagnostic));
+}
+
+void Problems::adopt(const Diagnostics& flaws) {
+  for (const Diagnostic& flaw : flaws) keep(flaw);
+  flaws_ = errors_.size();
 }
 
 void Problems::add(const Path& path, std::string message, Failure failure) {

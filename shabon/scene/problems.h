@@ -26,6 +26,9 @@ class Problems {
   void add(const io::YamlNode& node, const Path& path, std::string message);
   void add_warning(const Path& path, std::string message);
 
+  // What was wrong with the text of the file itself. Other problems at the same places are only its echo.
+  void adopt(const Diagnostics& flaws);
+
   // What another room said about the text of the value, e.g. a stack expression. Its columns count from the start of
   // the text; they become columns of the file where the text is written in it letter by letter.
   void add_from_text(const Path& path, const Diagnostic& inner);
@@ -49,6 +52,7 @@ class Problems {
 
   const io::YamlDocument* document_;
   Diagnostics errors_, warnings_;
+  std::size_t flaws_ = 0;  // how many of the errors were adopted; they stand first
 };
 
 }  // namespace shabon::scene

@@ -12,9 +12,9 @@
 namespace shabon::scene {
 
 // What a scene file (YAML or JSON) says. `source` is the name shown in errors. Errors (Failure::content): everything
-// that is wrong, in the order of the file, at most Problems::most_shown of it: what parse_yaml rejects, or else unknown
-// and missing keys, wrong types, values outside their range, unknown names, films that cannot be understood. Files that
-// the scene names are not opened. Warnings, if wanted, are added to `warnings`.
+// that is wrong, in the order of the file, at most Problems::most_shown of it: what parse_yaml rejects, unknown and
+// missing keys, wrong types, values outside their range, unknown names, films that cannot be understood. Files that the
+// scene names are not opened. Warnings, if wanted, are added to `warnings`.
 Result<SceneDesc> read_scene(std::string_view text, std::string source, Diagnostics* warnings = nullptr);
 
 // The same for a file that is parsed already, perhaps with values set by set_value().
