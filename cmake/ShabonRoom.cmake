@@ -61,6 +61,9 @@ set(SHABON_WIDE_OPTIONS_v4 -march=x86-64-v4 -mprefer-vector-width=512)
 # shabon_NAME_v3 and so on for each wide level, all with fused a*b+c where the machine has it.
 function(shabon_variants name)
   cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PACKAGES;OPTIONS" ${ARGN})
+  if(SHABON_SANITIZE)
+    set(ARG_OPTIONS "")  # sanitizers are slow enough to compile
+  endif()
   set(common SOURCES ${ARG_SOURCES} ROOMS ${ARG_ROOMS} PACKAGES ${ARG_PACKAGES} CONTRACT)
   shabon_room(${name} ${common} OPTIONS ${ARG_OPTIONS})
   if(ARG_SOURCES)
