@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "shabon/api/version.h"
 #include "shabon/base/text.h"
@@ -76,6 +77,15 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
+// After an option only the form of its value; CLI11 would add how many there are.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string form = option->get_type_name();
+    return form.empty() ? "" : " " + form;
+  }
+};
+
 void add_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
 
 }  // namespace
@@ -86,6 +96,7 @@ Action chosen_action(std::vector<std::string> arguments) {
   if (Action complaint = prepared(arguments)) return complaint;
   CLI::App app("Shabon computes and renders the colours that light interference makes.", "shabon");
   app.footer(examples);
+  app.formatter(std::make_shared<HelpText>());
   app.require_subcommand(1);
   app.set_version_flag("-V,--version", "shabon " + std::string(version()), "Print the version and exit");
   add_help(app);

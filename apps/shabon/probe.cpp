@@ -82,6 +82,8 @@ std::vector<double> observer_wavelengths_nm() {
 }
 
 int run_probe(const ProbeCommand& command) {
+  if (command.pixel.empty() && command.ray.empty())
+    return report(fail(Failure::usage, "expected --pixel X Y or --ray OX OY OZ DX DY DZ"));
   const Result<LoadedScene> loaded = load(command.scene);
   if (!loaded) return report(loaded.errors());
   const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
@@ -107,10 +109,10 @@ int run_probe(const ProbeCommand& command) {
 Action declare_probe(CLI::App& app) {
   const auto command = std::make_shared<ProbeCommand>();
   add_scene_input(app, command->scene);
-  CLI::Option_group* where = app.add_option_group("Where", "Exactly one of");
-  add_tuple(*where, "--pixel", command->pixel, 2, "X Y", "The centre of a pixel, counted from the top left");
-  add_tuple(*where, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "A ray from a point in a direction");
-  where->require_option(1);
+  CLI::Option* pixel =
+      add_tuple(app, "--pixel", command->pixel, 2, "X Y", "Along the centre of a pixel, counted from the top left");
+  add_tuple(app, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "From a point in a direction; no polariser")
+      ->excludes(pixel);
   add_wavelengths(app, command->wavelengths_nm, "380:780:5", {.low = color::first_nm, .high = color::last_nm});
   add_choice(app, "--format", command->format, formats, "Form of the output");
   app.footer(

@@ -128,6 +128,17 @@ TEST_F(Probe, FollowsFlagsOfTheScene) {
   }
 }
 
+TEST_F(Probe, LooksThroughThePolariserOfTheCamera) {
+  const Names flags = {"--set", "camera.polarizer_deg=30"};
+  Names pixel = {"even.yaml", "--pixel", "0", "0"}, ray = {"even.yaml", "--ray", "9", "0", "5", "0", "0", "-1"};
+  const auto open = column(pixel, "radiance"), beside = column(ray, "radiance");
+  pixel.insert(pixel.end(), flags.begin(), flags.end());
+  ray.insert(ray.end(), flags.begin(), flags.end());
+  const auto polarised = column(pixel, "radiance");
+  for (std::size_t i = 0; i < open.size(); ++i) EXPECT_NEAR(polarised.at(i), open[i] / 2, 1e-12);
+  EXPECT_EQ(column(ray, "radiance"), beside);
+}
+
 struct Refusal {
   Names arguments;
   int exit_code;
