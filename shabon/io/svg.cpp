@@ -139,8 +139,8 @@ std::string draw_y_axis(const Chart& chart, const Frame& frame) {
     svg += text_at(frame.left - tick_length - 4, y + 4, tick_label(tick), small_size, "end");
   }
   const double middle = (frame.top + frame.bottom) / 2;
-  const std::string turn = attribute("transform", "rotate(-90 18 " + px(middle) + ")");
-  return svg + text_at(18, middle, chart.y.label, text_size, "middle", turn);
+  const std::string turn = attribute("transform", "translate(18 " + px(middle) + ") rotate(-90)");
+  return svg + text_at(0, 0, chart.y.label, text_size, "middle", turn);
 }
 
 std::string series_color(const ChartSeries& series, std::size_t index) {
@@ -182,7 +182,7 @@ std::string draw_legend(const Chart& chart, double left, double right, double& y
       y += legend_line;
     }
     svg += "<line" + attribute("x1", px(x)) + attribute("y1", px(y + 10)) + attribute("x2", px(x + legend_stroke)) +
-           attribute("y2", px(y + 10)) + stroke_style(series, i) + "/>\n";
+           attribute("y2", px(y + 10)) + stroke_style(series, i) + " fill=\"none\"/>\n";
     svg += text_at(x + legend_stroke + 6, y + 14, series.label, small_size, "start");
     x += width + legend_gap;
     any = true;
@@ -224,7 +224,7 @@ std::string opening(int width, int height) {
   const std::string w = std::to_string(width), h = std::to_string(height);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"" +
          attribute("width", w) + attribute("height", h) + attribute("viewBox", "0 0 " + w + " " + h) +
-         " font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" fill=\"#1a1a1a\">\n" +
+         " font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" fill=\"#1a1a1a\" stroke=\"none\">\n" +
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
@@ -241,13 +241,16 @@ std::string draw_titles(const Chart& chart, double left, double& y) {
   return svg;
 }
 
-// The lines with their axes, clipped to the frame.
+// The lines with their axes. Limits of the caller's own may cut lines off; otherwise there is nothing to clip, and some
+// simple viewers lose what is clipped.
 std::string draw_plot(const Chart& chart, const Frame& frame) {
   std::string svg = draw_y_axis(chart, frame);
   const std::string box = attribute("x", px(frame.left)) + attribute("y", px(frame.top)) +
                           attribute("width", px(frame.right - frame.left)) +
                           attribute("height", px(frame.bottom - frame.top));
-  svg += "<clipPath id=\"plot\"><rect" + box + "/></clipPath>\n<g clip-path=\"url(#plot)\">\n";
+  const bool clip = chart.x.low || chart.x.high || chart.y.low || chart.y.high;
+  if (clip) svg += "<clipPath id=\"plot\"><rect" + box + "/></clipPath>\n";
+  svg += clip ? "<g clip-path=\"url(#plot)\">\n" : "<g>\n";
   for (std::size_t i = 0; i < chart.series.size(); ++i) svg += draw_series(chart.series[i], i, frame);
   return svg + "</g>\n<rect" + box + " fill=\"none\" stroke=\"#333333\"/>\n";
 }
