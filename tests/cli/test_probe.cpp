@@ -169,7 +169,9 @@ TEST_F(Probe, RefusesWithTheRightCode) {
     for (const std::string& argument : refusal.arguments) shown += argument + " ";
     EXPECT_EQ(outcome.exit_code, refusal.exit_code) << shown << outcome.err;
     EXPECT_NE(outcome.err.find(refusal.said), std::string::npos) << shown << outcome.err;
-    if (refusal.exit_code != 0) EXPECT_EQ(outcome.out, "") << shown;
+    if (refusal.exit_code != 0) {
+      EXPECT_EQ(outcome.out, "") << shown;
+    }
   }
 }
 

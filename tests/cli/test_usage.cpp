@@ -68,7 +68,9 @@ TEST(Usage, WrongFlagsEndWithTwo) {
     const Outcome outcome = run(c.arguments);
     EXPECT_EQ(outcome.exit_code, c.exit_code) << shown(c.arguments) << "\n" << outcome.err;
     EXPECT_NE(outcome.err.find(c.said), std::string::npos) << shown(c.arguments) << "\n" << outcome.err;
-    if (c.exit_code != 0) EXPECT_EQ(outcome.out, "") << shown(c.arguments);
+    if (c.exit_code != 0) {
+      EXPECT_EQ(outcome.out, "") << shown(c.arguments);
+    }
   }
 }
 
