@@ -5,38 +5,66 @@
 // terms, no special spot at grazing incidence.
 #pragma once
 
+#include <cmath>
+
 #include "shabon/optics/packet/phase.h"
 
 namespace shabon::optics {
 inline namespace SHABON_REGISTERS {
 
-// What the angle and the indices decide. L is float (index constant over wavelengths) or packet<float, N>.
-template <class L>
-struct FreeFilmFactors {
-  L contrast;   // X = (n2^2 - n1^2)^2
-  L crossing;   // Y = 4 q1^2 q2^2
-  L brewster;   // g = 1 - kappa (1/n1^2 + 1/n2^2), kappa = n1^2 sin^2(theta1); zero at Brewster's angle
-  L mean;       // P_s P_p = (q1^2 + q2^2)(q1^2 n2^2/n1^2 + q2^2 n1^2/n2^2)
-  L twist;      // 2 q1 q2 (n2^2 - n1^2)^2 kappa/(n1^2 n2^2), which turns linear light elliptical
-};
-
 // cos_i^2 is kept above this, so that the factors of a ray exactly along the film stay finite; R is 1 there to 1e-7.
 inline constexpr double least_cos2 = 1e-16;
 
-template <class L, class D>
-inline FreeFilmFactors<L> free_film_factors(D n1_squared, D n2_squared, D q1_squared, D q2_squared, D q1q2) {
-  const D kappa = n1_squared - q1_squared;
-  const D step = n2_squared - n1_squared;
-  const D product = n1_squared * n2_squared;
-  const D ratio = kappa / product;
-  const D n1_4 = n1_squared * n1_squared, n2_4 = n2_squared * n2_squared;
-  FreeFilmFactors<L> f;
-  f.contrast = math::narrow(step * step);
-  f.crossing = math::narrow(D(4.0) * q1_squared * q2_squared);
-  f.brewster = math::narrow(D(1.0) - ratio * (n1_squared + n2_squared));
-  f.mean = math::narrow((q1_squared + q2_squared) * (q1_squared * n2_4 + q2_squared * n1_4) / product);
-  f.twist = math::narrow(D(2.0) * q1q2 * step * step * ratio);
-  return f;
+// What the two indices alone decide. L is float (constant over the wavelengths) or packet<float, N>, D its double.
+template <class L>
+struct FreeFilmIndices {
+  L contrast;         // X = (n2^2 - n1^2)^2
+  L slope;            // 1/n1^2 + 1/n2^2
+  L ratio;            // n2^2/n1^2
+  L inverse_ratio;
+  L inverse_product;  // 1/(n1^2 n2^2)
+};
+
+template <class D>
+inline auto free_film_indices(D n1_squared, D n2_squared) {
+  using math::narrow;
+  const D one(1.0), product = n1_squared * n2_squared, step = n2_squared - n1_squared;
+  using L = decltype(narrow(one));
+  return FreeFilmIndices<L>{narrow(step * step), narrow((n1_squared + n2_squared) / product),
+                            narrow(n2_squared / n1_squared), narrow(n1_squared / n2_squared), narrow(one / product)};
+}
+
+// What the angle decides: q1^2, q2^2 and kappa = n1^2 sin^2(theta1), each rounded from double.
+template <class L>
+struct FreeFilmAngle {
+  L q1_squared, q2_squared, kappa;
+};
+
+// Together, as far as the powers need them.
+template <class L>
+struct FreeFilmFactors {
+  L contrast;  // X
+  L crossing;  // Y = 4 q1^2 q2^2
+  L brewster;  // g = 1 - kappa (1/n1^2 + 1/n2^2), zero at Brewster's angle
+};
+
+template <class L>
+inline FreeFilmFactors<L> free_film_factors(const FreeFilmIndices<L>& n, const FreeFilmAngle<L>& at) {
+  return {n.contrast, L(4.0f) * at.q1_squared * at.q2_squared, L(1.0f) - at.kappa * n.slope};
+}
+
+// And what the phase between s and p needs besides.
+template <class L>
+struct FreeFilmTurn {
+  L mean;   // P_s P_p = (q1^2 + q2^2)(q1^2 n2^2/n1^2 + q2^2 n1^2/n2^2)
+  L twist;  // 2 q1 q2 X kappa/(n1^2 n2^2), which turns linear light elliptical
+};
+
+template <class L>
+inline FreeFilmTurn<L> free_film_turn(const FreeFilmIndices<L>& n, const FreeFilmAngle<L>& at) {
+  using std::sqrt;
+  return {(at.q1_squared + at.q2_squared) * (at.q1_squared * n.ratio + at.q2_squared * n.inverse_ratio),
+          L(2.0f) * sqrt(at.q1_squared) * sqrt(at.q2_squared) * n.contrast * at.kappa * n.inverse_product};
 }
 
 // Reflectance and transmittance of both polarisations.
@@ -70,7 +98,8 @@ struct FilmMueller {
 };
 
 template <int N, class L>
-inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FilmPhase<N>& phase) {
+inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FreeFilmTurn<L>& turn,
+                                        const FilmPhase<N>& phase) {
   using P = math::packet<float, N>;
   const P Y(f.crossing), g(f.brewster);
   const P x = P(f.contrast) * phase.sin2;
@@ -80,8 +109,8 @@ inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FilmP
   const P over_s = both_p * one_over, over_p = both_s * one_over;
   const P half(0.5f);
   const P R_s = x * over_s * half, R_p = y * over_p * half, T_s = Y * over_s * half, T_p = Y * over_p * half;
-  const P in_phase = (Y * (1.0f - phase.sin2) + P(f.mean) * phase.sin2) * one_over;
-  const P quarter = P(f.twist) * phase.sin_cos * one_over;
+  const P in_phase = (Y * (1.0f - phase.sin2) + P(turn.mean) * phase.sin2) * one_over;
+  const P quarter = P(turn.twist) * phase.sin_cos * one_over;
   const P turned = -(x * g);  // H_s H_p u Y: s and p reflect in opposite sense below Brewster's angle
   return {{R_s + R_p, R_s - R_p, turned * in_phase, turned * quarter},
           {T_s + T_p, T_s - T_p, Y * in_phase, Y * quarter}};

@@ -13,26 +13,36 @@ struct Tile {
   int pixels() const { return width * height; }
 };
 
-// The camera's view of unpolarised light: 1, or half behind an ideal polariser, whose row points along its axis.
-inline void start_rows(const scene::Scene& scene, Paths& paths, std::size_t first, std::size_t end) {
-  const scene::Camera& camera = scene.camera;
-  const bool paper = scene.render.interference == optics::Interference::two_beam;
-  const float half = camera.polarizer_rad ? 0.25f : 0.5f;
-  for (std::size_t i = first; i < end; ++i) {
-    paths.state[i].carried = 2 * half;
-    paths.row[i].q0 = Lanes(half), paths.row[i].q1 = Lanes(half);
-    if (!camera.polarizer_rad || paper) continue;
-    const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
-    const math::Vec3d s = math::normalize(camera.right - d * math::dot(camera.right, d));
-    paths.sx[i] = s.x, paths.sy[i] = s.y, paths.sz[i] = s.z;
-    paths.state[i].plane = PathState::general_row;
-    const double turn = 2 * *camera.polarizer_rad;
-    paths.row[i] = {Lanes(0.5f), Lanes(static_cast<float>(0.5 * std::cos(turn))),
-                    Lanes(static_cast<float>(0.5 * std::sin(turn))), Lanes(0.0f)};
+// What a path carries before its first event: all of unpolarised light, or half behind an ideal polariser.
+struct CameraStart {
+  explicit CameraStart(const scene::Scene& scene) {
+    const auto& angle = scene.camera.polarizer_rad;
+    carried = angle ? 0.5f : 1.0f;
+    // The paper's film averages the polarisations: a polariser then only halves.
+    polarized = angle && scene.render.interference != optics::Interference::two_beam;
+    if (polarized) cos_2a = static_cast<float>(std::cos(2 * *angle)), sin_2a = static_cast<float>(std::sin(2 * *angle));
   }
+  float carried = 1, cos_2a = 1, sin_2a = 0;
+  bool polarized = false;
+};
+
+// The row behind a polariser, in the frame whose s axis is the camera's right, made normal to the ray.
+inline void start_polarized(const scene::Scene& scene, const CameraStart& start, Paths& paths, std::size_t i) {
+  const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
+  const math::Vec3d s = math::normalize(scene.camera.right - d * math::dot(scene.camera.right, d));
+  paths.sx[i] = s.x, paths.sy[i] = s.y, paths.sz[i] = s.z;
+  paths.state[i].plane = PathState::general_row;
+  paths.set_row(i, {Lanes(0.5f), Lanes(0.5f * start.cos_2a), Lanes(0.5f * start.sin_2a), Lanes(0.0f)});
 }
 
-inline void camera_rays(const scene::Scene& scene, const Tile& tile, std::uint32_t sample, Paths& paths) {
+inline void tile_seeds(const scene::Scene& scene, const Tile& tile, PixelSeeds* seeds) {
+  for (int i = 0; i < tile.pixels(); ++i)
+    seeds[i] = pixel_seeds(scene.render.seed, static_cast<std::uint32_t>(tile.x0 + i % tile.width),
+                           static_cast<std::uint32_t>(tile.y0 + i / tile.width));
+}
+
+inline void camera_rays(const scene::Scene& scene, const CameraStart& start, const Tile& tile, const PixelSeeds* seeds,
+                        std::uint32_t sample, Paths& paths) {
   const int count = tile.pixels();
   paths.reserve(static_cast<std::size_t>(count));
   const std::size_t first = paths.size();
@@ -40,16 +50,16 @@ inline void camera_rays(const scene::Scene& scene, const Tile& tile, std::uint32
   const auto comb = static_cast<std::uint16_t>(comb_of_sample(sample));
   alignas(64) double x[tile_pixels + ray_block], y[tile_pixels + ray_block];
   for (int i = 0; i < count; ++i) {
-    const int px = tile.x0 + i % tile.width, py = tile.y0 + i / tile.width;
-    const PixelSeeds seeds =
-        pixel_seeds(scene.render.seed, static_cast<std::uint32_t>(px), static_cast<std::uint32_t>(py));
-    x[i] = px + pixel_offset_x(sample, seeds.x);
-    y[i] = py + pixel_offset_y(second, seeds.y);
+    x[i] = tile.x0 + i % tile.width + pixel_offset_x(sample, seeds[i].x);
+    y[i] = tile.y0 + i / tile.width + pixel_offset_y(second, seeds[i].y);
+  }
+  for (int i = 0; i < count; ++i) {
     PathState& state = paths.state[first + static_cast<std::size_t>(i)];
     state = {};
-    state.random = seeds.x ^ (seeds.y * 0x9E3779B9u) ^ (sample * 0x85EBCA6Bu);
+    state.random = seeds[i].x ^ (seeds[i].y * 0x9E3779B9u) ^ (sample * 0x85EBCA6Bu);
     state.pixel = static_cast<std::uint16_t>(i);
     state.comb = comb;
+    state.carried = start.carried;
   }
   for (int i = count; i < count + ray_block; ++i) x[i] = x[0], y[i] = y[0];
   for (int i = 0; i < count; i += ray_block) {
@@ -61,7 +71,8 @@ inline void camera_rays(const scene::Scene& scene, const Tile& tile, std::uint32
     Rays(scene.camera.position.z).store(&paths.oz[at]);
   }
   paths.resize(first + static_cast<std::size_t>(count));
-  start_rows(scene, paths, first, paths.size());
+  if (start.polarized)
+    for (std::size_t i = first; i < paths.size(); ++i) start_polarized(scene, start, paths, i);
 }
 
 }  // namespace SHABON_REGISTERS

@@ -15,10 +15,12 @@ struct EventBlock {
   std::uint32_t path[ray_block];          // index of the path in its generation
   std::int32_t sphere[ray_block];
   std::int16_t slot[ray_block];           // which of the films on this spot, 0 is the outermost
+  std::int16_t films[ray_block];          // on this spot
   bool inward[ray_block];                 // the ray runs towards the centre
   alignas(64) double px[ray_block], py[ray_block], pz[ray_block];
   alignas(64) double rx[ray_block], ry[ray_block], rz[ray_block];  // mirrored direction
   alignas(64) double cos_i[ray_block], thickness_nm[ray_block];
+  alignas(64) double q1_squared[ray_block], q2_squared[ray_block], q2[ray_block];  // where the indices are constant
   alignas(64) double sx[ray_block], sy[ray_block], sz[ray_block];  // s of the plane of incidence
   float cos_2phi[ray_block], sin_2phi[ray_block];                  // from the row's frame to the plane of incidence
   const FilmTable* film[ray_block];
@@ -88,7 +90,7 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
   const auto normal = (point - detail::load3(c[0], c[1], c[2])) * Rays::load(inverse_radius);
   const Rays along = math::dot(direction, normal);
   const auto mirrored = direction - normal * (along + along);
-  alignas(64) double n[3][ray_block], along_lanes[ray_block];
+  alignas(64) double n[3][ray_block], along_lanes[ray_block], n2_squared[ray_block];
   detail::store3(point, block.px, block.py, block.pz);
   detail::store3(mirrored, block.rx, block.ry, block.rz);
   detail::store3(normal, n[0], n[1], n[2]);
@@ -101,12 +103,20 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
     block.slot[lane] = state.next_slot >= 0     ? state.next_slot
                        : block.inward[lane] ? std::int16_t(0)
                                             : static_cast<std::int16_t>(sphere.film_count - 1);
+    block.films[lane] = static_cast<std::int16_t>(sphere.film_count);
     block.film[lane] = &tables.films[static_cast<std::size_t>(sphere.first_film + block.slot[lane])];
     block.thickness_nm[lane] =
         film::thickness_nm(*block.film[lane]->thickness, math::Vec3d{n[0][lane], n[1][lane], n[2][lane]});
+    n2_squared[lane] = block.film[lane]->n_squared;
     const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
     if (!same_plane) turn_frame(tables, paths, block, lane, sphere.center);
   }
+  for (int lane = count; lane < ray_block; ++lane) n2_squared[lane] = n2_squared[0];
+  const Rays cos_i = Rays::load(block.cos_i), n1_squared(tables.medium_n_squared);
+  const Rays q1_squared = n1_squared * max(cos_i * cos_i, Rays(optics::least_cos2));
+  const Rays q2_squared = Rays::load(n2_squared) - n1_squared + q1_squared;
+  q1_squared.store(block.q1_squared), q2_squared.store(block.q2_squared);
+  sqrt(max(q2_squared, Rays(0.0))).store(block.q2);
 }
 
 }  // namespace SHABON_REGISTERS

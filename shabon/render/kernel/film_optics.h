@@ -39,54 +39,62 @@ inline LanesD refined_sqrt(const LanesD& x) {
   return y + (x - y * y) * half_over;
 }
 
-// One event's angle and indices, ready for whichever film model; Number is double or LanesD.
-template <class Number>
+// One event of a lossless film, ready for whichever model. L is float where no index depends on the wavelength.
+template <class L, class D>
 struct Crossing {
-  Number n1_squared, n2_squared, q1_squared, q1, q2;
+  D n1_squared, n2_squared, q1_squared, q2_squared, q2;
+  const optics::FreeFilmIndices<L>& indices;
+  LanesD cycles;  // equation (6)
+
+  optics::FreeFilmAngle<L> angle() const {
+    return {math::narrow(q1_squared), math::narrow(q2_squared), math::narrow(n1_squared - q1_squared)};
+  }
 };
 
-inline Crossing<double> constant_crossing(const SceneTables& tables, const FilmTable& film, double cos_i) {
-  const double n1 = tables.medium_n_squared;
-  const double q1 = n1 * std::max(cos_i * cos_i, optics::least_cos2);
-  return {n1, film.n_squared, q1, std::sqrt(q1), std::sqrt(film.n_squared - n1 + q1)};
+inline Crossing<float, double> constant_crossing(const SceneTables& tables, const EventBlock& block, int lane,
+                                                 const LanesD& thickness_per_wavelength) {
+  const FilmTable& film = *block.film[lane];
+  return {tables.medium_n_squared, film.n_squared, block.q1_squared[lane], block.q2_squared[lane], block.q2[lane],
+          film.indices, thickness_per_wavelength * block.q2[lane]};
 }
 
-inline Crossing<LanesD> dispersive_crossing(const SceneTables& tables, const FilmTable& film, std::size_t comb,
-                                            double cos_i) {
+inline Crossing<Lanes, LanesD> dispersive_crossing(const SceneTables& tables, const EventBlock& block, int lane,
+                                                   std::size_t comb, const LanesD& thickness_per_wavelength) {
+  const FilmTable& film = *block.film[lane];
   const LanesD n1 = tables.combs[comb].medium_n_squared, n2 = film.n_squared_lanes[comb];
-  const LanesD q1 = n1 * std::max(cos_i * cos_i, optics::least_cos2);
-  return {n1, n2, q1, refined_sqrt(q1), refined_sqrt(n2 - n1 + q1)};
+  const LanesD q1 = n1 * std::max(block.cos_i[lane] * block.cos_i[lane], optics::least_cos2), q2 = n2 - n1 + q1;
+  const LanesD root = refined_sqrt(q2);
+  return {n1, n2, q1, q2, root, film.indices_lanes[comb], thickness_per_wavelength * root};
 }
 
-template <class L, class Number>
-Powers film_powers(optics::Interference mode, const Crossing<Number>& at, const LanesD& cycles) {
-  switch (mode) {
-    case optics::Interference::two_beam:
-      return wall_averages(optics::two_beam_powers(
-          optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2), optics::film_phase_sin2(cycles)));
-    case optics::Interference::none:
-      return optics::without_phase_powers<lane_count>(
-          optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2));
-    default:
-      return optics::free_film_powers(
-          optics::free_film_factors<L>(at.n1_squared, at.n2_squared, at.q1_squared, Number(at.q2 * at.q2), Number(at.q1 * at.q2)),
-          optics::film_phase_sin2(cycles));
-  }
+template <class L, class D>
+optics::WallReflectance<L> wall(const Crossing<L, D>& at) {
+  using std::sqrt;
+  return optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, D(sqrt(at.q1_squared)), at.q2);
 }
 
-template <class L, class Number>
-Mueller film_mueller(optics::Interference mode, const Crossing<Number>& at, const LanesD& cycles) {
-  if (mode == optics::Interference::none) {
-    const auto wall = optics::wall_reflectance<L>(at.n1_squared, at.n2_squared, at.q1, at.q2);
-    // r_s r_p of one wall with its sign, and t t' of both polarisations.
-    const Number signed_rho = (at.q1 - at.q2) * (at.n2_squared * at.q1 - at.n1_squared * at.q2) /
-                              ((at.q1 + at.q2) * (at.n2_squared * at.q1 + at.n1_squared * at.q2));
-    return without_phase_mueller(optics::without_phase_powers<lane_count>(wall), Lanes(math::narrow(signed_rho)),
-                                 Lanes(wall.pass_s) * Lanes(wall.pass_p));
-  }
-  return optics::free_film_mueller(
-      optics::free_film_factors<L>(at.n1_squared, at.n2_squared, at.q1_squared, Number(at.q2 * at.q2), Number(at.q1 * at.q2)),
-      optics::film_phase(cycles));
+template <class L, class D>
+Powers film_powers(optics::Interference mode, const Crossing<L, D>& at) {
+  if (mode == optics::Interference::airy)
+    return optics::free_film_powers(optics::free_film_factors(at.indices, at.angle()), optics::film_phase_sin2(at.cycles));
+  if (mode == optics::Interference::two_beam)
+    return wall_averages(optics::two_beam_powers(wall(at), optics::film_phase_sin2(at.cycles)));
+  return optics::without_phase_powers<lane_count>(wall(at));
+}
+
+template <class L, class D>
+Mueller film_mueller(optics::Interference mode, const Crossing<L, D>& at) {
+  if (mode == optics::Interference::airy)
+    return optics::free_film_mueller(optics::free_film_factors(at.indices, at.angle()),
+                                     optics::free_film_turn(at.indices, at.angle()), optics::film_phase(at.cycles));
+  using std::sqrt;
+  const D q1(sqrt(at.q1_squared));
+  const auto rho = wall(at);
+  // r_s r_p of one wall with its sign, and t t' of both polarisations.
+  const D signed_rho = (q1 - at.q2) * (at.n2_squared * q1 - at.n1_squared * at.q2) /
+                       ((q1 + at.q2) * (at.n2_squared * q1 + at.n1_squared * at.q2));
+  return without_phase_mueller(optics::without_phase_powers<lane_count>(rho), Lanes(math::narrow(signed_rho)),
+                               Lanes(rho.pass_s) * Lanes(rho.pass_p));
 }
 
 // Absorbing films, and films of lower index than the medium (beyond their critical angle light tunnels through).
@@ -97,24 +105,17 @@ Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::s
 inline Powers event_powers(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
   const FilmTable& film = *block.film[lane];
   const auto mode = tables.scene.render.interference;
-  const double cos_i = block.cos_i[lane];
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
-    case FilmKind::constant: {
-      const auto at = constant_crossing(tables, film, cos_i);
-      return film_powers<float>(mode, at, per_wavelength * at.q2);
-    }
-    case FilmKind::dispersive: {
-      const auto at = dispersive_crossing(tables, film, comb, cos_i);
-      return film_powers<Lanes>(mode, at, per_wavelength * at.q2);
-    }
+    case FilmKind::constant: return film_powers(mode, constant_crossing(tables, block, lane, per_wavelength));
+    case FilmKind::dispersive: return film_powers(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
     case FilmKind::grey: {
       const Lanes R(tables.grey_reflectance), T(1 - tables.grey_reflectance);
       return {R, R, T, T};
     }
     case FilmKind::general: break;
   }
-  const Mueller m = general_mueller(tables, film, comb, cos_i, block.thickness_nm[lane]);
+  const Mueller m = general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
   return {m.reflected.a + m.reflected.b, m.reflected.a - m.reflected.b, m.transmitted.a + m.transmitted.b,
           m.transmitted.a - m.transmitted.b};
 }
@@ -123,21 +124,14 @@ inline Powers event_powers(const SceneTables& tables, const EventBlock& block, i
 inline Mueller event_mueller(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
   const FilmTable& film = *block.film[lane];
   const auto mode = tables.scene.render.interference;
-  const double cos_i = block.cos_i[lane];
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
-    case FilmKind::constant: {
-      const auto at = constant_crossing(tables, film, cos_i);
-      return film_mueller<float>(mode, at, per_wavelength * at.q2);
-    }
-    case FilmKind::dispersive: {
-      const auto at = dispersive_crossing(tables, film, comb, cos_i);
-      return film_mueller<Lanes>(mode, at, per_wavelength * at.q2);
-    }
+    case FilmKind::constant: return film_mueller(mode, constant_crossing(tables, block, lane, per_wavelength));
+    case FilmKind::dispersive: return film_mueller(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
     case FilmKind::grey: return grey_mueller(event_powers(tables, block, lane, comb));
     case FilmKind::general: break;
   }
-  return general_mueller(tables, film, comb, cos_i, block.thickness_nm[lane]);
+  return general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
 }
 
 }  // namespace SHABON_REGISTERS

@@ -13,7 +13,7 @@ inline namespace SHABON_REGISTERS {
 using Row = optics::StokesRow<lane_count>;
 
 // While every event of a path lies on one sphere, all its planes of incidence are the same: s and p never mix, the row
-// needs no rotation and is kept as its two intensities, q0 = ws + wp and q1 = ws - wp.
+// needs no rotation and is kept as its two intensities, q0 = first + second and q1 = first - second.
 struct PathState {
   std::uint32_t random = 0;
   std::int32_t from = -1;       // the sphere whose wall the path starts on
@@ -41,7 +41,7 @@ class Paths {
     const std::size_t grown = needed + needed / 2;
     for (auto* numbers : {&ox, &oy, &oz, &dx, &dy, &dz, &sx, &sy, &sz}) numbers->resize(grown);
     state.resize(grown);
-    row.resize(grown);
+    first.resize(grown), second.resize(grown), third.resize(grown), fourth.resize(grown);
   }
   std::size_t push() { return size_++; }
   void resize(std::size_t size) { size_ = size; }
@@ -50,7 +50,13 @@ class Paths {
   std::vector<double> dx, dy, dz;  // unit direction, away from the eye
   std::vector<double> sx, sy, sz;  // the row's s axis, where state.plane is general_row
   std::vector<PathState> state;
-  std::vector<Row> row;
+  // The row: s and p intensities while coplanar, then q0..q3. Not written before the first event.
+  std::vector<Lanes> first, second, third, fourth;
+
+  Row row(std::size_t i) const { return {first[i], second[i], third[i], fourth[i]}; }
+  void set_row(std::size_t i, const Row& row) {
+    first[i] = row.q0, second[i] = row.q1, third[i] = row.q2, fourth[i] = row.q3;
+  }
 
  private:
   std::size_t size_ = 0;

@@ -38,10 +38,14 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, con
                                per_wavelength(comb, [&](double nm) { return film.medium.index(nm).imag(); })});
   } else if (!film.medium.is_constant() || !outside.is_constant()) {
     table.kind = FilmKind::dispersive;
-    for (const Comb& comb : combs)
+    for (const Comb& comb : combs) {
       table.n_squared_lanes.push_back(per_wavelength(comb, [&](double nm) { return std::norm(film.medium.index(nm)); }));
+      table.indices_lanes.push_back(optics::free_film_indices(
+          per_wavelength(comb, [&](double nm) { return std::norm(outside.index(nm)); }), table.n_squared_lanes.back()));
+    }
   } else {
     table.n_squared = std::norm(film.medium.index(color::first_nm));
+    table.indices = optics::free_film_indices(std::norm(outside.index(color::first_nm)), table.n_squared);
   }
   return table;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shabon/geometry/sphere_set.h"
+#include "shabon/optics/packet/free_film.h"
 #include "shabon/render/kernel/lanes.h"
 #include "shabon/scene/scene.h"
 
@@ -22,9 +23,11 @@ enum class FilmKind {
 struct FilmTable {
   FilmKind kind = FilmKind::constant;
   const film::ThicknessModel* thickness = nullptr;
-  double n_squared = 1;                          // constant
-  std::vector<LanesD> n_squared_lanes;           // dispersive, per comb
-  std::vector<std::array<LanesD, 2>> n_lanes;    // general, per comb: n and k
+  double n_squared = 1;                                      // constant
+  optics::FreeFilmIndices<float> indices{};                  // constant
+  std::vector<LanesD> n_squared_lanes;                       // dispersive, per comb
+  std::vector<optics::FreeFilmIndices<Lanes>> indices_lanes; // dispersive, per comb
+  std::vector<std::array<LanesD, 2>> n_lanes;                // general, per comb: n and k
 };
 
 struct CombTable {

@@ -15,6 +15,9 @@ namespace {
 // Camera samples traced together: enough to fill the blocks, few enough for the second-level cache.
 constexpr std::size_t generation_size = 256;
 
+// A branch is never taken to carry less than this, so that rounding cannot make it vanish.
+constexpr float least_estimate = 1e-9f;
+
 // A cheap 32-bit mixer (Wellons 2018, "Prospecting for hash functions"): one number per path and branch.
 std::uint32_t mix(std::uint32_t x) {
   x ^= x >> 16;
@@ -22,11 +25,6 @@ std::uint32_t mix(std::uint32_t x) {
   x ^= x >> 15;
   x *= 0x846CA68Bu;
   return x ^ (x >> 16);
-}
-
-Row scaled(const Row& row, float factor, bool coplanar) {
-  if (coplanar) return {row.q0 * factor, row.q1 * factor, row.q2, row.q3};
-  return {row.q0 * factor, row.q1 * factor, row.q2 * factor, row.q3 * factor};
 }
 
 }  // namespace
@@ -39,11 +37,13 @@ void TileTransport::add_samples(const Tile& tile, std::uint32_t first, std::uint
       for (float& sum : pixel) sum = 0;
     cleared_ = true;
   }
+  PixelSeeds seeds[tile_pixels];
+  tile_seeds(tables_.scene, tile, seeds);
   const auto per_sample = static_cast<std::size_t>(tile.pixels());
   for (std::uint32_t sample = first; sample < end;) {
     now_.clear();
     while (sample < end && now_.size() + per_sample <= std::max(generation_size, per_sample))
-      camera_rays(tables_.scene, tile, sample++, now_);
+      camera_rays(tables_.scene, start_, tile, seeds, sample++, now_);
     while (now_.size() > 0) {
       trace_generation();
       std::swap(now_, next_);
@@ -112,11 +112,10 @@ void TileTransport::add_camera_leaf(std::size_t path, const LeafRays* coefficien
 
 void TileTransport::add_leaf(std::size_t path, const LeafRays* coefficients, int lane) {
   const PathState& state = now_.state[path];
-  const Row& row = now_.row[path];
   const Lanes* channels = &tables_.channels[static_cast<std::size_t>(state.comb * tables_.channel_count)];
   Lanes radiance = channels[0] * coefficients[0][lane];
   for (int k = 1; k < tables_.channel_count; ++k) radiance += channels[k] * coefficients[k][lane];
-  const Lanes arriving = (state.coplanar() ? row.q0 + row.q1 : row.q0) * radiance;
+  const Lanes arriving = (state.coplanar() ? now_.first[path] + now_.second[path] : now_.first[path]) * radiance;
   // A number minus itself is 0 unless it is infinite or NaN: such light is left out and counted.
   const Lanes nothing = arriving - arriving;
   if (math::bits(nothing == Lanes(0.0f)) != (1u << lane_count) - 1) {
@@ -128,28 +127,71 @@ void TileTransport::add_leaf(std::size_t path, const LeafRays* coefficients, int
 }
 
 void TileTransport::film_event(const EventBlock& block, int lane) {
-  const std::size_t i = block.path[lane];
-  const PathState& state = now_.state[i];
+  const PathState& state = now_.state[block.path[lane]];
   const bool paper = tables_.scene.render.interference == optics::Interference::two_beam;
   if (paper && state.depth >= two_beam_most_events) {
     ++counts_.cut_paths;
     return;
   }
   if (state.depth >= tables_.scene.render.max_depth) return pass_straight(block, lane);
-  const Row& row = now_.row[i];
   const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
-  if (same_plane || paper) {
-    const Powers p = event_powers(tables_, block, lane, state.comb);
-    const Row reflected{p.R_s * row.q0, p.R_p * row.q1, row.q2, row.q3};
-    const Row transmitted{p.T_s * row.q0, p.T_p * row.q1, row.q2, row.q3};
-    split(block, lane, reflected, transmitted, true, paper ? PathState::any_plane : block.sphere[lane]);
-    return;
-  }
-  const Row whole = state.coplanar() ? Row{row.q0 + row.q1, row.q0 - row.q1, Lanes(0.0f), Lanes(0.0f)} : row;
-  const Row in_plane = optics::rotated(whole, block.cos_2phi[lane], block.sin_2phi[lane]);
-  const Mueller m = event_mueller(tables_, block, lane, state.comb);
-  split(block, lane, optics::through(in_plane, m.reflected), optics::through(in_plane, m.transmitted), false,
-        PathState::general_row);
+  if (same_plane || paper)
+    split_in_plane(block, lane, paper);
+  else
+    split_general(block, lane);
+}
+
+// One branch of a split: the roulette decides whether it goes on; `write` stores its row, scaled.
+template <class Write>
+void TileTransport::follow(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane,
+                           const Write& write) {
+  if (carried == 0) return;
+  const std::uint32_t random = mix(now_.state[block.path[lane]].random + (mirrored ? 1 : 2));
+  float scale = 1;
+  if (survives(carried, random, scale)) write(push_child(block, lane, mirrored, plane, carried, random), scale);
+}
+
+// All events so far in one plane: s and p go on side by side.
+void TileTransport::split_in_plane(const EventBlock& block, int lane, bool paper) {
+  const std::size_t i = block.path[lane];
+  const PathState& state = now_.state[i];
+  const bool fresh = state.depth == 0;
+  const Lanes half(0.5f * start_.carried);
+  const Lanes s = fresh ? half : now_.first[i], p = fresh ? half : now_.second[i];
+  const Powers film = event_powers(tables_, block, lane, state.comb);
+  const std::int32_t plane = paper ? PathState::any_plane : block.sphere[lane];
+  const Lanes back_s = film.R_s * s, back_p = film.R_p * p;
+  const float back = math::sum(back_s + back_p) * (1.0f / lane_count);
+  follow(block, lane, back, true, plane, [&](std::size_t child, float scale) {
+    next_.first[child] = back_s * scale, next_.second[child] = back_p * scale;
+  });
+  const Lanes forth_s = film.T_s * s, forth_p = film.T_p * p;
+  // Without loss the rest goes forth. The roulette stays unbiased whatever estimate it uses, but never with 0.
+  const bool lossless = block.film[lane]->kind != FilmKind::general && !paper;
+  const float forth = lossless ? std::max(state.carried - back, least_estimate)
+                               : math::sum(forth_s + forth_p) * (1.0f / lane_count);
+  follow(block, lane, forth, false, plane, [&](std::size_t child, float scale) {
+    next_.first[child] = forth_s * scale, next_.second[child] = forth_p * scale;
+  });
+}
+
+void TileTransport::split_general(const EventBlock& block, int lane) {
+  const std::size_t i = block.path[lane];
+  const PathState& state = now_.state[i];
+  Row row = now_.row(i);
+  if (state.coplanar()) row = {row.q0 + row.q1, row.q0 - row.q1, Lanes(0.0f), Lanes(0.0f)};
+  const Row in_plane = optics::rotated(row, block.cos_2phi[lane], block.sin_2phi[lane]);
+  const Mueller film = event_mueller(tables_, block, lane, state.comb);
+  const auto follow_part = [&](const optics::MuellerBlock<lane_count>& part, bool mirrored) {
+    const Row result = optics::through(in_plane, part);
+    const float carried = math::sum(result.q0) * (1.0f / lane_count);
+    follow(block, lane, carried, mirrored, PathState::general_row, [&](std::size_t child, float scale) {
+      next_.set_row(child, {result.q0 * scale, result.q1 * scale, result.q2 * scale, result.q3 * scale});
+      next_.sx[child] = block.sx[lane], next_.sy[child] = block.sy[lane], next_.sz[child] = block.sz[lane];
+    });
+  };
+  follow_part(film.reflected, true);
+  follow_part(film.transmitted, false);
 }
 
 // Equation (27): where a path is cut, the film passes R + T straight on, so that no energy of a lossless film is lost.
@@ -157,35 +199,17 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
   const std::size_t i = block.path[lane];
   const PathState& state = now_.state[i];
   ++counts_.cut_paths;
-  const std::size_t child = push_child(block, lane, false, state.plane);
+  const std::size_t child = push_child(block, lane, false, state.plane, state.carried, state.random);
+  Row row = now_.row(i);
+  if (state.depth == 0 && state.coplanar()) row.q0 = row.q1 = Lanes(0.5f * start_.carried);
   const FilmTable& film = *block.film[lane];
-  next_.row[child] = now_.row[i];
-  next_.sx[child] = now_.sx[i], next_.sy[child] = now_.sy[i], next_.sz[child] = now_.sz[i];
   if (film.kind == FilmKind::general) {
     const Mueller m = general_mueller(tables_, film, state.comb, block.cos_i[lane], block.thickness_nm[lane]);
     const Lanes kept = m.reflected.a + m.transmitted.a;
-    Row& row = next_.row[child];
     row = {row.q0 * kept, row.q1 * kept, row.q2 * kept, row.q3 * kept};
   }
-}
-
-void TileTransport::split(const EventBlock& block, int lane, const Row& reflected, const Row& transmitted,
-                          bool coplanar, std::int32_t plane) {
-  const PathState& state = now_.state[block.path[lane]];
-  const auto mean = [&](const Row& row) {
-    return math::sum(coplanar ? row.q0 + row.q1 : row.q0) * (1.0f / lane_count);
-  };
-  const Row* rows[2] = {&reflected, &transmitted};
-  for (int branch = 0; branch < 2; ++branch) {
-    float carried = mean(*rows[branch]), scale = 1;
-    if (carried == 0) continue;
-    const std::uint32_t random = mix(state.random + static_cast<std::uint32_t>(branch) + 1);
-    if (!survives(carried, random, scale)) continue;
-    const std::size_t child = push_child(block, lane, branch == 0, plane);
-    next_.row[child] = scale == 1 ? *rows[branch] : scaled(*rows[branch], scale, coplanar);
-    next_.state[child].carried = carried;
-    next_.state[child].random = random;
-  }
+  next_.set_row(child, row);
+  next_.sx[child] = now_.sx[i], next_.sy[child] = now_.sy[i], next_.sz[child] = now_.sz[i];
 }
 
 // Equation (26): below the threshold a branch goes on with probability carried/threshold, and then carries the threshold.
@@ -198,25 +222,26 @@ bool TileTransport::survives(float& carried, std::uint32_t random, float& scale)
   return true;
 }
 
-std::size_t TileTransport::push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane) {
+std::size_t TileTransport::push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane,
+                                      float carried, std::uint32_t random) {
   const std::size_t i = block.path[lane];
   const std::size_t child = next_.push();
   next_.ox[child] = block.px[lane], next_.oy[child] = block.py[lane], next_.oz[child] = block.pz[lane];
-  if (mirrored)
-    next_.dx[child] = block.rx[lane], next_.dy[child] = block.ry[lane], next_.dz[child] = block.rz[lane];
-  else
-    next_.dx[child] = now_.dx[i], next_.dy[child] = now_.dy[i], next_.dz[child] = now_.dz[i];
-  if (plane == PathState::general_row)
-    next_.sx[child] = block.sx[lane], next_.sy[child] = block.sy[lane], next_.sz[child] = block.sz[lane];
+  next_.dx[child] = mirrored ? block.rx[lane] : now_.dx[i];
+  next_.dy[child] = mirrored ? block.ry[lane] : now_.dy[i];
+  next_.dz[child] = mirrored ? block.rz[lane] : now_.dz[i];
+  const PathState& parent = now_.state[i];
   PathState& state = next_.state[child];
-  state = now_.state[i];
-  state.depth = static_cast<std::int16_t>(std::min(state.depth + 1, int(std::numeric_limits<std::int16_t>::max())));
+  state.random = random;
   state.from = block.sphere[lane];
   state.plane = plane;
   const bool inward = block.inward[lane] != mirrored;
-  const int films = tables_.scene.spheres[static_cast<std::size_t>(block.sphere[lane])].film_count;
   const int slot = block.slot[lane] + (inward ? 1 : -1);
-  state.next_slot = static_cast<std::int16_t>(slot >= 0 && slot < films ? slot : -1);
+  state.next_slot = static_cast<std::int16_t>(slot >= 0 && slot < block.films[lane] ? slot : -1);
+  state.depth = static_cast<std::int16_t>(std::min(parent.depth + 1, int(std::numeric_limits<std::int16_t>::max())));
+  state.pixel = parent.pixel;
+  state.comb = parent.comb;
+  state.carried = carried;
   return child;
 }
 

@@ -21,7 +21,7 @@ inline constexpr int two_beam_most_events = 16;
 
 class TileTransport {
  public:
-  explicit TileTransport(const SceneTables& tables) : tables_(tables) {}
+  explicit TileTransport(const SceneTables& tables) : tables_(tables), start_(tables.scene) {}
 
   // Adds the samples [first, end) of every pixel of the tile to its sums.
   void add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end);
@@ -37,13 +37,17 @@ class TileTransport {
   void add_camera_leaf(std::size_t path, const LeafRays* coefficients, int lane);
   void add_leaf(std::size_t path, const LeafRays* coefficients, int lane);
   void film_event(const EventBlock& block, int lane);
+  template <class Write>
+  void follow(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane, const Write& write);
+  void split_in_plane(const EventBlock& block, int lane, bool paper);
+  void split_general(const EventBlock& block, int lane);
   void pass_straight(const EventBlock& block, int lane);
-  void split(const EventBlock& block, int lane, const Row& reflected, const Row& transmitted, bool coplanar,
-             std::int32_t plane);
   bool survives(float& carried, std::uint32_t random, float& scale) const;
-  std::size_t push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane);
+  std::size_t push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane, float carried,
+                         std::uint32_t random);
 
   const SceneTables& tables_;
+  const CameraStart start_;
   TransportCounts counts_;
   Paths now_, next_;
   std::vector<double> distance_;

@@ -1,0 +1,34 @@
+// The spectrum that arrives along one exact ray: the whole split tree, in double precision from the optics reference,
+// without random numbers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shabon/base/result.h"
+#include "shabon/math/vec.h"
+#include "shabon/scene/scene.h"
+
+namespace shabon::render {
+
+struct ProbeRay {
+  math::Vec3d origin;
+  math::Vec3d direction;       // away from the eye; any length but 0
+  bool through_camera = false; // then the camera's polariser, if it has one, lies before the eye
+};
+
+// The ray through the point (x, y) of the picture, counted in pixels from its top left corner.
+ProbeRay pixel_ray(const scene::Scene& scene, double x, double y);
+
+struct ProbeResult {
+  std::vector<double> radiance;  // per nm, one per wavelength; its sum with ybar over 360..830 nm at 1 nm is Y
+  std::uint64_t film_events = 0;
+  std::uint64_t cut_branches = 0;  // where the film passed R + T straight on, equation (27)
+};
+
+// wavelengths_nm lie within 360..830. Errors: a direction without length, numbers that are not finite, a wavelength
+// outside that range.
+Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::span<const double> wavelengths_nm);
+
+}  // namespace shabon::render
