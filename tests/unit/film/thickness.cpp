@@ -35,15 +35,15 @@ struct FourNumbers {
   double lanes[4];
   FourNumbers(double value) : lanes{value, value, value, value} {}
   FourNumbers(double a, double b, double c, double d) : lanes{a, b, c, d} {}
-  friend FourNumbers operator+(FourNumbers a, FourNumbers b) {
+  [[maybe_unused]] friend FourNumbers operator+(FourNumbers a, FourNumbers b) {
     for (int i = 0; i < 4; ++i) a.lanes[i] += b.lanes[i];
     return a;
   }
-  friend FourNumbers operator-(FourNumbers a, FourNumbers b) {
+  [[maybe_unused]] friend FourNumbers operator-(FourNumbers a, FourNumbers b) {
     for (int i = 0; i < 4; ++i) a.lanes[i] -= b.lanes[i];
     return a;
   }
-  friend FourNumbers operator*(FourNumbers a, FourNumbers b) {
+  [[maybe_unused]] friend FourNumbers operator*(FourNumbers a, FourNumbers b) {
     for (int i = 0; i < 4; ++i) a.lanes[i] *= b.lanes[i];
     return a;
   }
