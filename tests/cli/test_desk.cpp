@@ -84,6 +84,14 @@ TEST(Spectrum, PrintsTheReferenceWithAllItsDigits) {
   }
 }
 
+TEST(Spectrum, WritesSeventeenDigits) {
+  const optics::Powers powers =
+      api::stack_powers(stack_of(film), optics::Interference::airy, optics::incidence_from(Degrees(45)), 400);
+  ASSERT_NE(format_exact(powers.T_s), format_number(powers.T_s));  // a value whose shortest form is shorter
+  const std::string table = result_of({"spectrum", film, "--angle", "45", "--wavelengths", "400"});
+  EXPECT_NE(table.find("," + format_exact(powers.T_s) + ","), std::string::npos) << table;
+}
+
 // Films computed by sbyrnes321/tmm 0.2.0 and PyMoosh; the file says how.
 TEST(Spectrum, AgreesWithAnIndependentProgram) {
   const Result<io::CsvTable> films = io::read_csv(SHABON_TEST_DATA "/optics/a_film_random.csv");
@@ -130,8 +138,8 @@ TEST(Spectrum, GridsReachTheirEnd) {
   const auto last = [](const std::string& grid) {
     return column(table_of({"spectrum", film, "--wavelengths", grid}), "wavelength_nm");
   };
-  EXPECT_EQ(last("380:380.3:0.1").size(), 4u);
-  EXPECT_EQ(last("380:380.3:0.1").back(), 380.3);
+  EXPECT_EQ(last("400:400.7:0.1").size(), 8u);
+  EXPECT_EQ(last("400:400.7:0.1").back(), 400.7);
   EXPECT_EQ(last("380:400:15"), (std::vector<double>{380, 395}));
   EXPECT_EQ(last("500:500:1"), (std::vector<double>{500}));
   EXPECT_EQ(last("500"), (std::vector<double>{500}));

@@ -207,7 +207,8 @@ TEST_F(Render, DoesNotOverwriteThePictureItReads) {
   const std::string sky = bytes("sky.exr", {"scene.yaml"});
   folder.write("in-the-sky.yaml", "shabon: 1\nenvironment: {image: {file: sky.exr}}\nobjects: []\n");
   std::filesystem::create_symlink("sky.exr", folder.path() / "link.exr");
-  for (const char* output : {"sky.exr", "link.exr"}) {
+  std::filesystem::create_hard_link(folder.path() / "sky.exr", folder.path() / "hard.exr");
+  for (const char* output : {"sky.exr", "./sky.exr", "link.exr", "hard.exr"}) {
     const Outcome outcome = render({"in-the-sky.yaml", "--size", "8x8", "--samples", "1", "-o", output});
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_NE(outcome.err.find("is an input"), std::string::npos) << outcome.err;
@@ -229,9 +230,9 @@ TEST_F(Render, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
 
 TEST_F(Render, KeepsWhatIsFinishedWhenInterrupted) {
   using Signals = std::vector<std::pair<milliseconds, int>>;
-  const auto soon = milliseconds(3);
+  const auto at_once = milliseconds(0);
   const std::vector<std::pair<int, Signals>> kinds = {
-      {130, {{{}, SIGINT}}}, {143, {{{}, SIGTERM}}}, {130, {{{}, SIGINT}, {soon, SIGINT}, {soon, SIGTERM}}}};
+      {130, {{{}, SIGINT}}}, {143, {{{}, SIGTERM}}}, {130, {{{}, SIGINT}, {at_once, SIGTERM}, {at_once, SIGINT}}}};
   for (const auto& [code, signals] : kinds) {
     // Once more, later, when the signal came before the first pass was through.
     for (milliseconds pause(500); pause < milliseconds(40'000); pause *= 3) {
