@@ -50,9 +50,9 @@ inline constexpr std::size_t yaml_max_nodes = 1'000'000;  // after aliases are e
 // anything above the limits. As many as can be told apart are reported at once.
 Result<YamlDocument> parse_yaml(std::string_view text, std::string source);
 
-// The same, but what leaves the rest of the document readable is added to `flaws` instead, so that a reader can report it
-// together with its own findings: duplicate keys (the first one counts), keys that are not scalars and merge keys (left
-// out), other tags (ignored), aliases that contain themselves (empty). A document with flaws must not be used.
+// The same, but what leaves the rest of the document readable is added to `flaws` instead, so that a reader can report
+// it together with its own findings: duplicate keys (the first one counts), keys that are not scalars and merge keys
+// (left out), other tags (ignored), aliases that contain themselves (empty). A document with flaws must not be used.
 Result<YamlDocument> parse_yaml(std::string_view text, std::string source, Diagnostics& flaws);
 
 // read_text_file and parse_yaml.
