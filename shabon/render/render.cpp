@@ -61,6 +61,7 @@ class Workers {
   }
   void count(RenderReport& report) const {
     for (const auto& worker : free_) {
+      report.camera_samples += worker->counts().camera_samples;
       report.rays += worker->counts().rays;
       report.film_events += worker->counts().film_events;
       report.cut_paths += worker->counts().cut_paths;
@@ -97,7 +98,6 @@ Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& opti
   Workers workers(tables);
   Progress progress(options.progress, double(tiles.size()) * scene.render.samples);
   const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
-  std::atomic<std::uint64_t> camera_samples{0};
   RenderReport report;
   for (int pass = 0, first = 0; first < scene.render.samples && !report.interrupted; ++pass) {
     const int end = std::min(first + samples_of_pass(pass), scene.render.samples);
@@ -110,14 +110,12 @@ Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& opti
       auto worker = workers.take();
       render_tile(*worker, tiles[i], static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), sensor);
       workers.give_back(std::move(worker));
-      camera_samples += static_cast<std::uint64_t>(tiles[i].pixels()) * static_cast<std::uint64_t>(end - first);
       progress.add(end - first);
     });
     report.interrupted = left_out;
     if (!left_out) report.samples_done = end;
     first = end;
   }
-  report.camera_samples = camera_samples;
   workers.count(report);
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return report;

@@ -21,7 +21,7 @@ struct RenderOptions {
 struct RenderReport {
   int samples_done = 0;              // samples that every pixel has
   bool interrupted = false;
-  std::uint64_t camera_samples = 0;
+  std::uint64_t camera_samples = 0;  // more than samples times pixels: those on a bubble's rim get four times as many
   std::uint64_t rays = 0;            // straight segments whose next wall was looked for
   std::uint64_t film_events = 0;
   std::uint64_t cut_paths = 0;       // events at which max_depth passed R + T straight on, or two-beam dropped the path

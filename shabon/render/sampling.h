@@ -39,14 +39,24 @@ constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) {
   return reverse_bits(result);
 }
 
-// The wavelength comb of sample `index`: the first six bits of the third Sobol dimension. Every aligned block of 2^m
+// Direction numbers of the third dimension: primitive polynomial x^2 + x + 1, first numbers 1 and 3.
+constexpr std::array<std::uint32_t, 32> third_directions() {
+  std::array<std::uint32_t, 32> v{1u << 31, 3u << 30};
+  for (std::size_t i = 2; i < v.size(); ++i) v[i] = v[i - 1] ^ v[i - 2] ^ (v[i - 2] >> 2);
+  return v;
+}
+
+// The wavelength comb of sample `index`: the leading bits of the third Sobol dimension. Every aligned block of 2^m
 // samples, m <= 6, spreads its combs evenly.
 constexpr int comb_of_sample(std::uint32_t index) {
-  constexpr std::array<std::uint32_t, 6> direction{1, 3, 3, 9, 29, 23};
+  constexpr auto direction = third_directions();
+  constexpr int comb_bits = std::countr_zero(static_cast<unsigned>(comb_count));
   std::uint32_t result = 0;
-  for (std::uint32_t bit = 0; bit < 6; ++bit)
-    if (index >> bit & 1) result ^= direction[bit] << (5 - bit);
-  return static_cast<int>(result);
+  for (std::size_t bit = 0; index >> bit; ++bit) {
+    if (index >> bit & 1) result ^= direction[bit];
+    if (bit == 31) break;
+  }
+  return static_cast<int>(result >> (32 - comb_bits));
 }
 
 struct PixelSeeds {

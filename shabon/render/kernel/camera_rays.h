@@ -1,4 +1,5 @@
-// The first generation: one path per pixel of a tile for one sample number, all on the same wavelength comb.
+// The first generation: one path for each of some pixels of a tile, for one sample number, all on the same wavelength
+// comb.
 #pragma once
 
 #include "shabon/render/kernel/paths.h"
@@ -27,12 +28,14 @@ struct CameraStart {
 };
 
 // The row behind a polariser, in the frame whose s axis is the camera's right, made normal to the ray.
-inline void start_polarized(const scene::Scene& scene, const CameraStart& start, Paths& paths, std::size_t i) {
+inline void start_polarized(const scene::Scene& scene, const CameraStart& start, float weight, Paths& paths,
+                            std::size_t i) {
   const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
   const math::Vec3d s = math::normalize(scene.camera.right - d * math::dot(scene.camera.right, d));
   paths.sx[i] = s.x, paths.sy[i] = s.y, paths.sz[i] = s.z;
   paths.state[i].plane = PathState::general_row;
-  paths.set_row(i, {Lanes(0.5f), Lanes(0.5f * start.cos_2a), Lanes(0.5f * start.sin_2a), Lanes(0.0f)});
+  const float half = 0.5f * weight;
+  paths.set_row(i, {Lanes(half), Lanes(half * start.cos_2a), Lanes(half * start.sin_2a), Lanes(0.0f)});
 }
 
 inline void tile_seeds(const scene::Scene& scene, const Tile& tile, PixelSeeds* seeds) {
@@ -41,30 +44,28 @@ inline void tile_seeds(const scene::Scene& scene, const Tile& tile, PixelSeeds* 
                            static_cast<std::uint32_t>(tile.y0 + i / tile.width));
 }
 
+// `pixels` lists `count` pixels of the tile; each path carries `weight` of a sample.
 inline void camera_rays(const scene::Scene& scene, const CameraStart& start, const Tile& tile, const PixelSeeds* seeds,
-                        std::uint32_t sample, Paths& paths) {
-  const int count = tile.pixels();
+                        const std::uint16_t* pixels, int count, std::uint32_t sample, float weight, Paths& paths) {
   paths.reserve(static_cast<std::size_t>(count));
   const std::size_t first = paths.size();
   const std::uint32_t second = sobol_second_reversed(sample);
   const auto comb = static_cast<std::uint16_t>(comb_of_sample(sample));
   alignas(64) double x[tile_pixels + ray_block], y[tile_pixels + ray_block];
   for (int i = 0; i < count; ++i) {
-    x[i] = tile.x0 + i % tile.width + pixel_offset_x(sample, seeds[i].x);
-    y[i] = tile.y0 + i / tile.width + pixel_offset_y(second, seeds[i].y);
-  }
-  for (int i = 0; i < count; ++i) {
+    const int pixel = pixels[i];
+    x[i] = tile.x0 + pixel % tile.width + pixel_offset_x(sample, seeds[pixel].x);
+    y[i] = tile.y0 + pixel / tile.width + pixel_offset_y(second, seeds[pixel].y);
     PathState& state = paths.state[first + static_cast<std::size_t>(i)];
     state = {};
-    state.random = seeds[i].x ^ (seeds[i].y * 0x9E3779B9u) ^ (sample * 0x85EBCA6Bu);
-    state.pixel = static_cast<std::uint16_t>(i);
+    state.random = seeds[pixel].x ^ (seeds[pixel].y * 0x9E3779B9u) ^ (sample * 0x85EBCA6Bu);
+    state.pixel = pixels[i];
     state.comb = comb;
-    state.carried = start.carried;
+    state.carried = weight * start.carried;
   }
   for (int i = count; i < count + ray_block; ++i) x[i] = x[0], y[i] = y[0];
   for (int i = 0; i < count; i += ray_block) {
-    const math::Vec3<Rays> through = scene.camera.through(Rays::load(x + i), Rays::load(y + i));
-    const math::Vec3<Rays> direction = math::normalize(through);
+    const math::Vec3<Rays> direction = math::normalize(scene.camera.through(Rays::load(x + i), Rays::load(y + i)));
     const std::size_t at = first + static_cast<std::size_t>(i);
     direction.x.store(&paths.dx[at]), direction.y.store(&paths.dy[at]), direction.z.store(&paths.dz[at]);
     Rays(scene.camera.position.x).store(&paths.ox[at]), Rays(scene.camera.position.y).store(&paths.oy[at]);
@@ -72,7 +73,7 @@ inline void camera_rays(const scene::Scene& scene, const CameraStart& start, con
   }
   paths.resize(first + static_cast<std::size_t>(count));
   if (start.polarized)
-    for (std::size_t i = first; i < paths.size(); ++i) start_polarized(scene, start, paths, i);
+    for (std::size_t i = first; i < paths.size(); ++i) start_polarized(scene, start, weight, paths, i);
 }
 
 }  // namespace SHABON_REGISTERS

@@ -6,6 +6,7 @@
 #include "shabon/render/kernel/environment_lookup.h"
 #include "shabon/render/kernel/film_optics.h"
 #include "shabon/render/kernel/next_walls.h"
+#include "shabon/render/kernel/rim.h"
 
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
@@ -39,11 +40,20 @@ void TileTransport::add_samples(const Tile& tile, std::uint32_t first, std::uint
   }
   PixelSeeds seeds[tile_pixels];
   tile_seeds(tables_.scene, tile, seeds);
-  const auto per_sample = static_cast<std::size_t>(tile.pixels());
+  const TilePixels pixels = split_pixels(tables_.scene, tile);
+  add_pixels(tile, seeds, pixels.plain, pixels.plain_count, first, end, 1.0f);
+  add_pixels(tile, seeds, pixels.rim, pixels.rim_count, rim_samples * first, rim_samples * end, 1.0f / rim_samples);
+}
+
+void TileTransport::add_pixels(const Tile& tile, const PixelSeeds* seeds, const std::uint16_t* pixels, int count,
+                               std::uint32_t first, std::uint32_t end, float weight) {
+  if (count == 0) return;
+  counts_.camera_samples += static_cast<std::uint64_t>(count) * (end - first);
   for (std::uint32_t sample = first; sample < end;) {
     now_.clear();
-    while (sample < end && now_.size() + per_sample <= std::max(generation_size, per_sample))
-      camera_rays(tables_.scene, start_, tile, seeds, sample++, now_);
+    do {
+      camera_rays(tables_.scene, start_, tile, seeds, pixels, count, sample++, weight, now_);
+    } while (sample < end && now_.size() + static_cast<std::size_t>(count) <= generation_size);
     while (now_.size() > 0) {
       trace_generation();
       std::swap(now_, next_);
@@ -156,7 +166,7 @@ void TileTransport::split_in_plane(const EventBlock& block, int lane, bool paper
   const std::size_t i = block.path[lane];
   const PathState& state = now_.state[i];
   const bool fresh = state.depth == 0;
-  const Lanes half(0.5f * start_.carried);
+  const Lanes half(0.5f * state.carried);
   const Lanes s = fresh ? half : now_.first[i], p = fresh ? half : now_.second[i];
   const Powers film = event_powers(tables_, block, lane, state.comb);
   const std::int32_t plane = paper ? PathState::any_plane : block.sphere[lane];
@@ -201,7 +211,7 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
   ++counts_.cut_paths;
   const std::size_t child = push_child(block, lane, false, state.plane, state.carried, state.random);
   Row row = now_.row(i);
-  if (state.depth == 0 && state.coplanar()) row.q0 = row.q1 = Lanes(0.5f * start_.carried);
+  if (state.depth == 0 && state.coplanar()) row.q0 = row.q1 = Lanes(0.5f * state.carried);
   const FilmTable& film = *block.film[lane];
   if (film.kind == FilmKind::general) {
     const Mueller m = general_mueller(tables_, film, state.comb, block.cos_i[lane], block.thickness_nm[lane]);

@@ -13,7 +13,7 @@ namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
 struct TransportCounts {
-  std::uint64_t rays = 0, film_events = 0, cut_paths = 0, dropped = 0;
+  std::uint64_t camera_samples = 0, rays = 0, film_events = 0, cut_paths = 0, dropped = 0;
 };
 
 // The paper's recursion does not end by itself beyond 83.25 degrees: a path of more events than this is dropped.
@@ -32,6 +32,8 @@ class TileTransport {
   const TransportCounts& counts() const { return counts_; }
 
  private:
+  void add_pixels(const Tile& tile, const PixelSeeds* seeds, const std::uint16_t* pixels, int count,
+                  std::uint32_t first, std::uint32_t end, float weight);
   void trace_generation();
   void add_environment(const std::uint32_t* leaves, int count);
   void add_camera_leaf(std::size_t path, const LeafRays* coefficients, int lane);
