@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -172,7 +173,14 @@ template <class T, int N>
 inline packet<T, N> max(packet<T, N> a, packet<T, N> b) { return select(a > b, a, b); }
 
 template <class T, int N>
-inline packet<T, N> abs(packet<T, N> a) { return max(a, -a); }
+inline packet<T, N> abs(packet<T, N> a) {
+  if constexpr (fits_register<T, N>) {
+    using integers = typename packet_mask<T, N>::vector;
+    return packet<T, N>::wrap((integers)a.v & std::numeric_limits<mask_lane<T>>::max());  // all but the sign bit
+  } else {
+    return {abs(a.lo), abs(a.hi)};
+  }
+}
 
 // The lane's truth value as bit `lane`.
 template <class T, int N>

@@ -1,6 +1,8 @@
 // Complex numbers over packets; std::complex is specified for scalars only.
 #pragma once
 
+#include <limits>
+
 #include "shabon/math/packet.h"
 
 namespace shabon::math {
@@ -37,7 +39,7 @@ inline complex_packet<T, N> sqrt_upper(complex_packet<T, N> a) {
   const P zero(T(0)), half(T(0.5));
   const P size = sqrt(norm(a));
   const P larger = sqrt(max(half * (size + abs(a.re)), zero));
-  const P smaller = half * abs(a.im) / max(larger, P(T(1e-150)));
+  const P smaller = half * abs(a.im) / max(larger, P(std::numeric_limits<T>::min()));
   const auto forward = a.re >= zero;
   P re = select(forward, larger, smaller), im = select(forward, smaller, larger);
   re = select(a.im < zero, -re, re);

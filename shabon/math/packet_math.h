@@ -8,7 +8,8 @@
 namespace shabon::math {
 inline namespace SHABON_REGISTERS {
 
-// sin(pi x) and cos(pi x) for |x| <= 1/2, minimax polynomials in x^2; absolute error below 1.5e-7 in float.
+// sin(pi x) for |x| <= 1/2: x times the polynomial of x^2 with the least largest relative error. The error is below
+// 1.8e-7 in float and 1e-13 in double, relative too up to 2.5e-7 and 1e-13: it vanishes where the sine does.
 template <int N>
 inline packet<float, N> sin_pi_reduced(packet<float, N> x) {
   const packet<float, N> y = x * x;
@@ -20,7 +21,19 @@ inline packet<float, N> sin_pi_reduced(packet<float, N> x) {
   return p * x;
 }
 
-// The angle of (x, y) in radians, -pi..pi; absolute error below 4e-7. atan2(0, 0) is 0.
+template <int N>
+inline packet<double, N> sin_pi_reduced(packet<double, N> x) {
+  const packet<double, N> y = x * x;
+  packet<double, N> p = y * 4.472002837583736e-4 - 7.363785018662142e-3;
+  p = p * y + 8.214473211270053e-2;
+  p = p * y - 0.5992644257354168;
+  p = p * y + 2.5501640354193094;
+  p = p * y - 5.167712779977312;
+  p = p * y + 3.1415926535895973;
+  return p * x;
+}
+
+// The angle of (x, y) in radians, -pi..pi; absolute error below 4e-7 (one of x and y above 1e-37). atan2(0, 0) is 0.
 template <int N>
 inline packet<float, N> atan2(packet<float, N> y, packet<float, N> x) {
   using P = packet<float, N>;

@@ -5,6 +5,7 @@
 // terms, no special spot at grazing incidence.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "shabon/optics/packet/phase.h"
@@ -14,6 +15,9 @@ inline namespace SHABON_REGISTERS {
 
 // cos_i^2 is kept above this, so that the factors of a ray exactly along the film stay finite; R is 1 there to 1e-7.
 inline constexpr double least_cos2 = 1e-16;
+
+// And Y above this, so that its square is a float where the film has nearly the index of the medium as well.
+inline constexpr float least_crossing = 1e-18f;
 
 // What the two indices alone decide. L is float (constant over the wavelengths) or packet<float, N>, D its double.
 template <class L>
@@ -45,12 +49,14 @@ template <class L>
 struct FreeFilmFactors {
   L contrast;  // X
   L crossing;  // Y = 4 q1^2 q2^2
-  L brewster;  // g = 1 - kappa (1/n1^2 + 1/n2^2), zero at Brewster's angle
+  L brewster;  // g = 1 - kappa (1/n1^2 + 1/n2^2) = q1^2 (1/n1^2 + 1/n2^2) - n1^2/n2^2, zero at Brewster's angle
 };
 
 template <class L>
 inline FreeFilmFactors<L> free_film_factors(const FreeFilmIndices<L>& n, const FreeFilmAngle<L>& at) {
-  return {n.contrast, L(4.0f) * at.q1_squared * at.q2_squared, L(1.0f) - at.kappa * n.slope};
+  using std::max;
+  return {n.contrast, max(L(4.0f) * at.q1_squared * at.q2_squared, L(least_crossing)),
+          at.q1_squared * n.slope - n.inverse_ratio};
 }
 
 // And what the phase between s and p needs besides.

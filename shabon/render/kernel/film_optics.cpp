@@ -52,7 +52,7 @@ Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::s
   const LanesD n1 = sqrt(tables.combs[comb].medium_n_squared);
   const optics::LayerLanes<lane_count> at{Complex(n1), Complex(film.n_lanes[comb][0], film.n_lanes[comb][1]),
                                           Complex(n1), tables.combs[comb].inverse_wavelength_per_nm};
-  const auto x = optics::airy_amplitudes(at, thickness_nm, std::sqrt(cos2), std::sqrt(1 - cos2));
+  const auto x = optics::airy_amplitudes(at, thickness_nm, std::sqrt(cos2));
   const LanesD one(1.0);
   return {block(x.r_s, x.r_p, one, one), block(x.t_s, x.t_p, x.transmission_s, x.transmission_p)};
 }
