@@ -18,12 +18,15 @@ struct WallHit {
   int sphere = no_sphere;
 };
 
+// How the next wall is found. The answer is the same.
+enum class WallSearch { by_number, one_by_one, tree };
+
 class SphereSet {
  public:
   // Up to this many spheres are looked at one by one: that is faster than a tree (bench/geometry measures it).
   static constexpr int few = 8;
 
-  explicit SphereSet(std::vector<SphereShape> spheres);
+  explicit SphereSet(std::vector<SphereShape> spheres, WallSearch search = WallSearch::by_number);
   ~SphereSet();
   SphereSet(SphereSet&&) noexcept;
   SphereSet& operator=(SphereSet&&) noexcept;
@@ -33,7 +36,8 @@ class SphereSet {
   std::optional<WallHit> next_wall(math::Vec3d origin, math::Vec3d direction, int from = no_sphere) const;
 
   std::span<const SphereShape> spheres() const { return spheres_; }
-  bool has_few() const { return spheres_.size() <= static_cast<std::size_t>(few); }
+  // Whether the spheres are looked at one by one.
+  bool has_few() const { return tree_ == nullptr; }
 
  private:
   struct Tree;
