@@ -1,0 +1,33 @@
+#include "bench/machine.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "shabon/api/version.h"
+#include "shabon/base/parallel.h"
+#include "shabon/render/render.h"
+
+namespace shabon::bench {
+
+namespace {
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+  return "unknown processor";
+}
+
+}  // namespace
+
+std::string machine_line() {
+  double load[1] = {0};
+  const bool known = getloadavg(load, 1) == 1;
+  return fmt::format("{}, {} cores{}. Shabon {} for {}, {}.", processor_name(), thread_count(0),
+                     known ? fmt::format(", load {:.1f} at the start", load[0]) : "", version(),
+                     render::instruction_set(), SHABON_BENCH_COMPILER);
+}
+
+}  // namespace shabon::bench

@@ -1,0 +1,18 @@
+// The scenes that are rendered.
+#pragma once
+
+#include "shabon/base/result.h"
+#include "shabon/scene/scene.h"
+
+namespace shabon::bench {
+
+// The built-in bubble.
+Result<scene::Scene> built_in_bubble();
+
+// bench/data/windows-bubble.yaml, with the picture of its environment turned.
+Result<scene::Scene> windows_bubble(double rotation_deg = 0);
+
+// The same bubble without its surroundings, of a film medium and an interference model, each as in a scene file.
+Result<scene::Scene> plain_bubble(std::string_view medium, std::string_view interference);
+
+}  // namespace shabon::bench
