@@ -25,5 +25,8 @@ endif()
 if(SHABON_SANITIZE)
   target_compile_options(shabon_flags INTERFACE
     -fsanitize=${SHABON_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(shabon_flags INTERFACE -Wno-maybe-uninitialized)  # false alarms on std::regex
+  endif()
   target_link_options(shabon_flags INTERFACE -fsanitize=${SHABON_SANITIZE})
 endif()
