@@ -9,7 +9,11 @@
 namespace shabon::scene {
 namespace {
 
-constexpr double patience_s = 10;  // on a slow machine under a sanitizer; about 1 s is usual
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double patience_s = 200;  // unoptimised, checked at every step, beside other work
+#else
+constexpr double patience_s = 10;  // on a slow machine; about 1 s is usual
+#endif
 
 template <class Work>
 auto in_time(const Work& work) {
