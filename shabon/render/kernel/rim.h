@@ -3,7 +3,10 @@
 // more camera samples. The choice depends on the pixel alone, so the mean stays unbiased.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "shabon/render/kernel/camera_rays.h"
 
@@ -14,31 +17,47 @@ inline constexpr int rim_samples = 4;             // camera samples of a rim pix
 inline constexpr double rim_inside_pixels = 4;    // how far the rim reaches inwards,
 inline constexpr double rim_outside_pixels = 1;   // and outwards
 
+// A sphere as the camera sees it, and the directions of tile middles that can have its rim in their tile.
+struct RimCone {
+  math::Vec3d axis;
+  double angular_radius;
+  double cos_outermost, cos_innermost;
+};
+
+inline double pixel_angle(const scene::Camera& camera) { return math::length(camera.step_x); }  // the largest of any
+
+inline std::vector<RimCone> rim_cones(const scene::Scene& scene) {
+  const double reach = pixel_angle(scene.camera) * (tile_size + rim_inside_pixels);
+  std::vector<RimCone> cones;
+  for (const scene::Sphere& sphere : scene.spheres) {
+    const math::Vec3d to_center = sphere.center - scene.camera.position;
+    const double distance = math::length(to_center);
+    if (distance <= sphere.radius) continue;  // seen from inside there is no rim
+    const double radius = std::asin(sphere.radius / distance);
+    cones.push_back({to_center * (1 / distance), radius, std::cos(std::min(radius + reach, std::numbers::pi)),
+                     std::cos(std::max(radius - reach, 0.0))});
+  }
+  return cones;
+}
+
 // Splits the tile's pixels into plain ones and those on the rim of any sphere.
 struct TilePixels {
   std::uint16_t plain[tile_pixels], rim[tile_pixels];
   int plain_count = 0, rim_count = 0;
 };
 
-inline TilePixels split_pixels(const scene::Scene& scene, const Tile& tile) {
-  using math::Vec3d;
-  const scene::Camera& camera = scene.camera;
-  const double pixel = math::length(camera.step_x);  // at distance 1, thus the largest angle a pixel has
+inline TilePixels split_pixels(const scene::Camera& camera, const std::vector<RimCone>& cones, const Tile& tile) {
+  const double pixel = pixel_angle(camera);
   const auto direction = [&](double x, double y) { return math::normalize(camera.through(x, y)); };
-  const Vec3d middle = direction(tile.x0 + tile.width / 2.0, tile.y0 + tile.height / 2.0);
-  const double reach = pixel * tile_size;
+  const math::Vec3d middle = direction(tile.x0 + tile.width / 2.0, tile.y0 + tile.height / 2.0);
   bool on_rim[tile_pixels] = {};
-  for (const scene::Sphere& sphere : scene.spheres) {
-    const Vec3d to_center = sphere.center - camera.position;
-    const double distance = math::length(to_center);
-    if (distance <= sphere.radius) continue;  // seen from inside there is no rim
-    const double angular_radius = std::asin(sphere.radius / distance);
-    const Vec3d axis = to_center * (1 / distance);
-    const auto off_axis = [&](const Vec3d& d) { return std::atan2(math::length(math::cross(axis, d)), math::dot(axis, d)); };
-    if (std::abs(off_axis(middle) - angular_radius) > reach + rim_inside_pixels * pixel) continue;
+  for (const RimCone& cone : cones) {
+    const double cosine = math::dot(cone.axis, middle);
+    if (cosine < cone.cos_outermost || cosine > cone.cos_innermost) continue;
     for (int i = 0; i < tile.pixels(); ++i) {
-      const Vec3d d = direction(tile.x0 + i % tile.width + 0.5, tile.y0 + i / tile.width + 0.5);
-      const double beyond = off_axis(d) - angular_radius;
+      const math::Vec3d d = direction(tile.x0 + i % tile.width + 0.5, tile.y0 + i / tile.width + 0.5);
+      const double off_axis = std::atan2(math::length(math::cross(cone.axis, d)), math::dot(cone.axis, d));
+      const double beyond = off_axis - cone.angular_radius;
       on_rim[i] |= beyond > -rim_inside_pixels * pixel && beyond < rim_outside_pixels * pixel;
     }
   }

@@ -6,7 +6,6 @@
 #include "shabon/render/kernel/environment_lookup.h"
 #include "shabon/render/kernel/film_optics.h"
 #include "shabon/render/kernel/next_walls.h"
-#include "shabon/render/kernel/rim.h"
 
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
@@ -40,7 +39,7 @@ void TileTransport::add_samples(const Tile& tile, std::uint32_t first, std::uint
   }
   PixelSeeds seeds[tile_pixels];
   tile_seeds(tables_.scene, tile, seeds);
-  const TilePixels pixels = split_pixels(tables_.scene, tile);
+  const TilePixels pixels = split_pixels(tables_.scene.camera, rims_, tile);
   add_pixels(tile, seeds, pixels.plain, pixels.plain_count, first, end, 1.0f);
   add_pixels(tile, seeds, pixels.rim, pixels.rim_count, rim_samples * first, rim_samples * end, 1.0f / rim_samples);
 }

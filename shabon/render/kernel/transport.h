@@ -7,6 +7,7 @@
 #include "shabon/render/kernel/camera_rays.h"
 #include "shabon/render/kernel/event_block.h"
 #include "shabon/render/kernel/paths.h"
+#include "shabon/render/kernel/rim.h"
 #include "shabon/render/kernel/scene_tables.h"
 
 namespace shabon::render {
@@ -21,7 +22,7 @@ inline constexpr int two_beam_most_events = 16;
 
 class TileTransport {
  public:
-  explicit TileTransport(const SceneTables& tables) : tables_(tables), start_(tables.scene) {}
+  explicit TileTransport(const SceneTables& tables) : tables_(tables), start_(tables.scene), rims_(rim_cones(tables.scene)) {}
 
   // Adds the samples [first, end) of every pixel of the tile to its sums.
   void add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end);
@@ -50,6 +51,7 @@ class TileTransport {
 
   const SceneTables& tables_;
   const CameraStart start_;
+  const std::vector<RimCone> rims_;
   TransportCounts counts_;
   Paths now_, next_;
   std::vector<double> distance_;
