@@ -1,0 +1,156 @@
+// Every folder of scenes/ is rendered small and compared with tests/golden/data/<scene>.exr, a picture with so many
+// samples that its own noise is negligible. SHABON_UPDATE_GOLDEN=1 renders the goldens anew; then look at them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include "comparison.h"
+#include "golden_file.h"
+#include "shabon/api/shabon.h"
+
+namespace shabon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scenes_folder = fs::path(SHABON_SOURCE_DIR) / "scenes";
+const fs::path golden_folder = fs::path(SHABON_SOURCE_DIR) / "tests" / "golden" / "data";
+
+constexpr int width = 80, height = 60;
+constexpr int samples = 16, golden_samples = 4096;
+constexpr int first_seed = 1001, second_seed = 2002, golden_seed = 3003;
+
+fs::path golden_path(const std::string& scene) { return golden_folder / (scene + ".exr"); }
+
+std::set<std::string> scene_names() {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(scenes_folder))
+    if (entry.is_directory()) names.insert(entry.path().filename().string());
+  return names;
+}
+
+// GoogleTest's names are made of letters, digits and underscores.
+std::string test_name(std::string scene) {
+  std::replace_if(
+      scene.begin(), scene.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return scene;
+}
+
+std::string how_to_make(const std::string& scene) {
+  return "make it with\n  SHABON_UPDATE_GOLDEN=1 " SHABON_GOLDEN_TEST " --gtest_filter='*/" + test_name(scene) +
+         "'\nand look at the picture before it is committed";
+}
+
+Result<scene::Scene> load(const std::string& name, int seed, int sample_count) {
+  const fs::path path = scenes_folder / name / "scene.yaml";
+  const Result<std::string> text = io::read_text_file(path, io::yaml_max_bytes);
+  if (!text) return text.errors();
+  const std::vector<std::string> overrides = {
+      "image.width=" + std::to_string(width), "image.height=" + std::to_string(height),
+      "render.seed=" + std::to_string(seed), "render.samples=" + std::to_string(sample_count)};
+  return scene::load_scene(*text, path.string(), overrides, api::file_resources(path.parent_path()));
+}
+
+Result<io::RgbImage> picture(const scene::Scene& scene) {
+  render::Sensor sensor(scene.width, scene.height);
+  const Result<render::RenderReport> done = render::render(scene, {}, sensor);
+  if (!done) return done.errors();
+  if (done->dropped_samples > 0) return fail(Failure::internal, "some samples were not finite numbers");
+  return render::develop_linear(sensor);
+}
+
+Result<io::RgbImage> picture(const std::string& name, int seed, int sample_count) {
+  const Result<scene::Scene> scene = load(name, seed, sample_count);
+  if (!scene) return scene.errors();
+  return picture(*scene);
+}
+
+// Every thickness of the film, whatever its model, times `factor`: its members in nanometres.
+void scale_thickness(film::ThicknessModel& model, double factor) {
+  std::visit(
+      [factor]<class Model>(Model& chosen) {
+        const auto scale = [&](const auto& field) {
+          if (field.info.unit == "nm") chosen.*field.member *= factor;
+        };
+        std::apply([&](const auto&... field) { (scale(field), ...); }, fields(Of<Model>{}));
+      },
+      model);
+}
+
+class Golden : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (std::getenv("SHABON_UPDATE_GOLDEN") != nullptr) {
+      const auto image = picture(GetParam(), golden_seed, golden_samples);
+      ASSERT_TRUE(image) << to_text(image.errors());
+      fs::create_directories(golden_folder);
+      const io::Metadata metadata = {{"scene", "scenes/" + GetParam()},
+                                     {"samples", std::to_string(golden_samples)},
+                                     {"seed", std::to_string(golden_seed)}};
+      const Status written = io::write_exr(golden_path(GetParam()), *image, metadata);
+      ASSERT_TRUE(written) << to_text(written.errors());
+    }
+    const auto golden = read_golden(golden_path(GetParam()));
+    ASSERT_TRUE(golden) << "there is no golden " << golden_path(GetParam()) << "; " << how_to_make(GetParam());
+    ASSERT_EQ(golden->width, width) << how_to_make(GetParam());
+    ASSERT_EQ(golden->height, height) << how_to_make(GetParam());
+    golden_ = *golden;
+  }
+
+  io::RgbImage golden_;
+};
+
+TEST_P(Golden, TheSceneIsItsGoldenButForNoise) {
+  const auto first = picture(GetParam(), first_seed, samples), second = picture(GetParam(), second_seed, samples);
+  ASSERT_TRUE(first) << to_text(first.errors());
+  ASSERT_TRUE(second) << to_text(second.errors());
+  const Comparison compared = compare(*first, *second, golden_);
+  EXPECT_TRUE(compared.agrees()) << compared.text() << "\nIf the change is meant, " << how_to_make(GetParam());
+}
+
+// The comparison sees what it is for: the same scene with all films a little thicker is another picture.
+TEST_P(Golden, AFilmThreePerCentThickerIsAnotherPicture) {
+  io::RgbImage pictures[2];
+  for (const int i : {0, 1}) {
+    Result<scene::Scene> scene = load(GetParam(), i == 0 ? first_seed : second_seed, samples);
+    ASSERT_TRUE(scene) << to_text(scene.errors());
+    for (scene::Film& film : scene->films) scale_thickness(film.thickness, 1.03);
+    auto image = picture(*scene);
+    ASSERT_TRUE(image) << to_text(image.errors());
+    pictures[i] = *std::move(image);
+  }
+  const Comparison compared = compare(pictures[0], pictures[1], golden_);
+  EXPECT_FALSE(compared.agrees()) << compared.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scene_names()),
+                         [](const auto& scene) { return test_name(scene.param); });
+
+TEST(Gallery, EveryGoldenHasItsScene) {
+  const std::set<std::string> scenes = scene_names();
+  ASSERT_FALSE(scenes.empty());
+  for (const auto& entry : fs::directory_iterator(golden_folder))
+    EXPECT_TRUE(scenes.contains(entry.path().stem().string())) << entry.path() << " has no scene";
+}
+
+// The gallery shows every scene: a thumbnail, a page with the command that renders it, and a link from the index.
+TEST(Gallery, EverySceneIsInTheGallery) {
+  const Result<std::string> index = io::read_text_file(scenes_folder / "README.md", 1 << 20);
+  ASSERT_TRUE(index) << to_text(index.errors());
+  for (const std::string& name : scene_names()) {
+    EXPECT_TRUE(fs::exists(scenes_folder / name / "thumb.png")) << name;
+    EXPECT_NE(index->find("(" + name + "/"), std::string::npos) << "scenes/README.md does not link to " << name;
+    const Result<std::string> page = io::read_text_file(scenes_folder / name / "README.md", 1 << 20);
+    ASSERT_TRUE(page) << to_text(page.errors());
+    EXPECT_NE(page->find("shabon render scenes/" + name + "/scene.yaml"), std::string::npos)
+        << "scenes/" << name << "/README.md does not say how to render it";
+  }
+}
+
+}  // namespace
+}  // namespace shabon::test
