@@ -1,7 +1,7 @@
 // Linked, in plain x86-64 code, with every test program that is compiled for wider registers: on a machine without
 // them the program ends before any of its own code runs, and ctest reports it as skipped.
-#include <cstdlib>
 #include <unistd.h>
+#include <cstdlib>
 
 namespace {
 

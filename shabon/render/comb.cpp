@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shabon::render {
 
@@ -9,13 +10,13 @@ namespace {
 
 using Lanes = std::array<double, lane_count>;
 
-// Solves M x = b for a symmetric positive definite M by Cholesky; `ridge` keeps lamps that are combinations of others
-// from dividing by zero.
+// Solves M x = b for a symmetric positive definite M by Cholesky; `ridge` keeps lamps that are combinations of others,
+// or black, from dividing by zero.
 std::vector<double> solve_symmetric(std::vector<std::vector<double>> m, std::vector<double> b) {
   const std::size_t n = b.size();
   double trace = 0;
   for (std::size_t i = 0; i < n; ++i) trace += m[i][i];
-  const double ridge = 1e-13 * trace;
+  const double ridge = std::max(1e-13 * trace, std::numeric_limits<double>::min());
   for (std::size_t i = 0; i < n; ++i) m[i][i] += ridge;
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t k = 0; k < j; ++k) m[j][j] -= m[j][k] * m[j][k];
@@ -91,6 +92,7 @@ std::vector<Comb> wavelength_combs(const color::Observer& observer, std::span<co
       std::vector<double> exact(lamps.size());
       for (std::size_t a = 0; a < lamps.size(); ++a) exact[a] = exact_sum(lamps[a], responses[c]);
       correct(comb.weight[c], scale, lamp_lanes, exact);
+      correct(comb.weight[c], scale, lamp_lanes, exact);  // again: what the ridge left over
     }
   }
   return combs;

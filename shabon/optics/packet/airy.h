@@ -100,8 +100,8 @@ inline AmplitudeLanes<N> airy_amplitudes(const LayerLanes<N>& at, double thickne
   const C over_n1 = one / at.n1, over_n3 = one / at.n3, n2_squared = at.n2 * at.n2;
   const C c1_over_n1 = q1 * over_n1 * over_n1, c3_over_n3 = q3 * over_n3 * over_n3;
   const auto s = layer_sum(q1, q3, layer.sin_beta_over_q2, q2 * layer.sin_beta, layer);
-  const auto p = layer_sum(c1_over_n1, c3_over_n3, n2_squared * layer.sin_beta_over_q2,
-                           q2 * layer.sin_beta / n2_squared, layer);
+  const auto p =
+      layer_sum(c1_over_n1, c3_over_n3, n2_squared * layer.sin_beta_over_q2, q2 * layer.sin_beta / n2_squared, layer);
   AmplitudeLanes<N> result;
   result.r_s = s.r, result.t_s = s.t;
   result.r_p = p.r, result.t_p = p.t * at.n1 * over_n3;

@@ -22,9 +22,9 @@ inline constexpr float least_crossing = 1e-18f;
 // What the two indices alone decide. L is float (constant over the wavelengths) or packet<float, N>, D its double.
 template <class L>
 struct FreeFilmIndices {
-  L contrast;         // X = (n2^2 - n1^2)^2
-  L slope;            // 1/n1^2 + 1/n2^2
-  L ratio;            // n2^2/n1^2
+  L contrast;  // X = (n2^2 - n1^2)^2
+  L slope;     // 1/n1^2 + 1/n2^2
+  L ratio;     // n2^2/n1^2
   L inverse_ratio;
   L inverse_product;  // 1/(n1^2 n2^2)
 };

@@ -92,7 +92,7 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
   // Brought back to unit length: a deviation would grow up to 18 times from wall to wall of a bubble.
   const auto turned = direction - normal * (along + along);
   const auto mirrored = turned * (Rays(1.5) - Rays(0.5) * math::dot(turned, turned));
-  alignas(64) double n[3][ray_block], along_lanes[ray_block], n2_squared[ray_block];
+  alignas(64) double n[3][ray_block], along_lanes[ray_block], n2_squared[ray_block] = {};
   detail::store3(point, block.px, block.py, block.pz);
   detail::store3(mirrored, block.rx, block.ry, block.rz);
   detail::store3(normal, n[0], n[1], n[2]);

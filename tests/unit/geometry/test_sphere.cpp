@@ -40,8 +40,9 @@ void expect_roots(double distance, std::uint64_t seed) {
     const auto truth = exact_roots(origin, direction, center, radius);
     const double scale = std::max(1.0, distance) * radius;
     worst_middle = std::max(worst_middle, static_cast<double>(std::abs(roots.middle - truth.middle)) / scale);
-    worst_chord = std::max(worst_chord,
-                           static_cast<double>(std::abs(roots.half_chord_squared - truth.half_chord_squared)) / (scale * radius));
+    worst_chord =
+        std::max(worst_chord,
+                 static_cast<double>(std::abs(roots.half_chord_squared - truth.half_chord_squared)) / (scale * radius));
     if (roots.half_chord_squared < 0) continue;
     for (const double side : {-1.0, 1.0}) {
       const Vec3d wall = origin + direction * (roots.middle + side * std::sqrt(roots.half_chord_squared));
@@ -94,7 +95,8 @@ TEST(SphereRoots, PacketsGiveTheSameBits) {
   using Rays = math::packet<double, 8>;
   Pcg32 random(7);
   for (int k = 0; k < 1000; ++k) {
-    const Vec3d origin = random_point(random, 5), direction = random_direction(random), center = random_point(random, 2);
+    const Vec3d origin = random_point(random, 5), direction = random_direction(random),
+                center = random_point(random, 2);
     const auto one = sphere_roots(origin, direction, center, 1.5);
     const auto all = sphere_roots<Rays>({Rays(origin.x), Rays(origin.y), Rays(origin.z)},
                                         {Rays(direction.x), Rays(direction.y), Rays(direction.z)},

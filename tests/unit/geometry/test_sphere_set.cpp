@@ -86,7 +86,8 @@ void expect_same_walls(const Spheres& spheres, Vec3d middle, double reach, int p
     if (math::length(aside) < 1e-3) continue;
     const Vec3d along = math::normalize(aside);
     const double nearly = 1 + (random() % 3 - 1.0) * random.uniform(0, 1e-6);
-    compare(set, spheres, target.center + normal * (target.radius * nearly) - along * (2 * reach), along, no_sphere, tally);
+    compare(set, spheres, target.center + normal * (target.radius * nearly) - along * (2 * reach), along, no_sphere,
+            tally);
   }
   EXPECT_EQ(tally.wrong, 0) << "of " << tally.rays;
   EXPECT_GT(tally.hits, tally.rays / 10) << "of " << tally.rays;
@@ -97,8 +98,8 @@ Spheres scattered(int count, double reach, double least_radius, double largest_r
   Pcg32 random(seed);
   Spheres spheres;
   for (int i = 0; i < count; ++i)
-    spheres.push_back({random_point(random, reach),
-                       least_radius * std::pow(largest_radius / least_radius, random.uniform())});
+    spheres.push_back(
+        {random_point(random, reach), least_radius * std::pow(largest_radius / least_radius, random.uniform())});
   return spheres;
 }
 
@@ -129,8 +130,7 @@ TEST(SphereSet, TouchingSpheres) {
   // Along the line through the points where they touch: every distance is exact.
   const SphereSet set{Spheres(spheres)};
   Tally tally;
-  for (const double start : {-5.0, -1.0, 1.0, 0.0})
-    compare(set, spheres, {start, 0, 0}, {1, 0, 0}, no_sphere, tally);
+  for (const double start : {-5.0, -1.0, 1.0, 0.0}) compare(set, spheres, {start, 0, 0}, {1, 0, 0}, no_sphere, tally);
 }
 
 TEST(SphereSet, FarFromTheOrigin) {

@@ -169,7 +169,8 @@ TYPED_TEST(Packet, SelectsTheSmallerAndTheLarger) {
   for (int k = 0; k < repeats; ++k) {
     const auto a = this->numbers(), b = this->numbers();
     const auto p = this->packed(a), q = this->packed(b);
-    this->expect_lanes(select(p < q, p + q, p - q), [&](std::size_t i) { return a[i] < b[i] ? a[i] + b[i] : a[i] - b[i]; });
+    this->expect_lanes(select(p < q, p + q, p - q),
+                       [&](std::size_t i) { return a[i] < b[i] ? a[i] + b[i] : a[i] - b[i]; });
     this->expect_lanes(min(p, q), [&](std::size_t i) { return std::min(a[i], b[i]); });
     this->expect_lanes(max(p, q), [&](std::size_t i) { return std::max(a[i], b[i]); });
     this->expect_lanes(abs(p), [&](std::size_t i) { return std::abs(a[i]); });

@@ -50,9 +50,7 @@ TEST(ComplexPacket, CalculatesLikeStdComplex) {
   }
 }
 
-TEST(ComplexPacket, ARealNumberHasNoImaginaryPart) {
-  EXPECT_EQ(lane(C(P(2.0)), 0), 2.0);
-}
+TEST(ComplexPacket, ARealNumberHasNoImaginaryPart) { EXPECT_EQ(lane(C(P(2.0)), 0), 2.0); }
 
 // The root is the wave that decays: Im >= 0; on the positive real axis the one that runs forward.
 void expect_forward_root(std::complex<double> square) {

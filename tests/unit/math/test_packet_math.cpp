@@ -20,8 +20,7 @@ template <class Check>
 void sweep(double from, double to, int count, const Check& check) {
   for (int first = 0; first <= count; first += lanes) {
     float x[lanes];
-    for (int i = 0; i < lanes; ++i)
-      x[i] = static_cast<float>(from + (to - from) * std::min(first + i, count) / count);
+    for (int i = 0; i < lanes; ++i) x[i] = static_cast<float>(from + (to - from) * std::min(first + i, count) / count);
     check(P::load(x));
   }
 }

@@ -40,7 +40,9 @@ struct FilmCase {
 
 inline double as_float(double value) { return static_cast<float>(value); }
 
-inline double cosine_of_degrees(double angle_deg) { return as_float(std::sin((90 - angle_deg) * std::numbers::pi / 180)); }
+inline double cosine_of_degrees(double angle_deg) {
+  return as_float(std::sin((90 - angle_deg) * std::numbers::pi / 180));
+}
 
 inline void spread_wavelengths(FilmCase& film, double shift) {
   for (int i = 0; i < lanes; ++i) film.wavelength_nm[i] = as_float(360 + 470 * (i + shift) / lanes);

@@ -30,9 +30,9 @@ struct LayerCase {
 
   std::string lane_text(int i) const {
     char text[200];
-    std::snprintf(text, sizeof text, "n1 %.7g n2 %.7g+%.7gi n3 %.7g+%.7gi thickness %.7g nm cos %.9g wavelength %.6g nm",
-                  n1, n2[i].real(), n2[i].imag(), n3[i].real(), n3[i].imag(), thickness_nm, incidence.cos_i,
-                  wavelength_nm[i]);
+    std::snprintf(text, sizeof text,
+                  "n1 %.7g n2 %.7g+%.7gi n3 %.7g+%.7gi thickness %.7g nm cos %.9g wavelength %.6g nm", n1, n2[i].real(),
+                  n2[i].imag(), n3[i].real(), n3[i].imag(), thickness_nm, incidence.cos_i, wavelength_nm[i]);
     return text;
   }
 };
@@ -138,8 +138,8 @@ TEST(Airy, TotalAndFrustratedTotalReflection) {
     const Complex n3 = k % 2 ? Complex(layer.n1) : rounded(random.uniform(1, 3), 0);
     // Half of the angles lie around the critical one, down to a distance that double cannot tell from it.
     if (random() & 1) {
-      const double sin_i = std::min(0.999998, n2.real() / layer.n1 * (1 + std::pow(10, random.uniform(-17, -2)) *
-                                                                            (random() & 1 ? 1 : -1)));
+      const double sin_i = std::min(
+          0.999998, n2.real() / layer.n1 * (1 + std::pow(10, random.uniform(-17, -2)) * (random() & 1 ? 1 : -1)));
       layer.incidence = {std::sqrt((1 - sin_i) * (1 + sin_i)), sin_i};
     }
     for (int i = 0; i < lanes; ++i) layer.n2[i] = n2, layer.n3[i] = n3;
@@ -161,8 +161,7 @@ LayerCase layer_at(double n1, Complex n2, Complex n3, double thickness_nm, Incid
 TEST(Airy, ExactlyAtTheCriticalAngle) {
   Errors errors;
   for (const double thickness_nm : {0.0, 1.0, 100.0, 2000.0})
-    for (const double n3 : {1.25, 1.0, 0.75, 1.5})
-      compare(layer_at(1.25, 0.75, n3, thickness_nm, {0.8, 0.6}), errors);
+    for (const double n3 : {1.25, 1.0, 0.75, 1.5}) compare(layer_at(1.25, 0.75, n3, thickness_nm, {0.8, 0.6}), errors);
   errors.expect();
 }
 
@@ -170,8 +169,8 @@ TEST(Airy, AlongTheFilm) {
   Errors errors;
   for (const double cos_i : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})
     for (const double thickness_nm : {0.0, 0.1, 100.0, 550.0, 2000.0})
-      for (const Complex n2 : {Complex(1), Complex(1.0001), Complex(1.5), Complex(0.9), Complex(1, 1e-9), Complex(1.5, 0.1),
-                               Complex(0.2, 3)})
+      for (const Complex n2 : {Complex(1), Complex(1.0001), Complex(1.5), Complex(0.9), Complex(1, 1e-9),
+                               Complex(1.5, 0.1), Complex(0.2, 3)})
         for (const Complex n3 : {Complex(1), Complex(1.5), Complex(0.2, 3)})
           compare(layer_at(1, n2, n3, thickness_nm, incidence_from_cos(cos_i)), errors);
   errors.expect();

@@ -50,8 +50,8 @@ void compare(const FilmCase& film, const Crossing<L, D>& at, Errors& errors) {
   const FilmMueller<lanes> mueller = mueller_of(at);
   for (int i = 0; i < lanes; ++i) {
     const auto where = [&] { return film.lane_text(i); };
-    const Amplitudes exact = airy_amplitudes(film.n1[i], film.n2[i], film.n1[i], film.thickness_nm, film.incidence(),
-                                             film.wavelength_nm[i]);
+    const Amplitudes exact =
+        airy_amplitudes(film.n1[i], film.n2[i], film.n1[i], film.thickness_nm, film.incidence(), film.wavelength_nm[i]);
     errors.powers.see(std::abs(powers.R_s[i] - norm(exact.r_s)), where);
     errors.powers.see(std::abs(powers.R_p[i] - norm(exact.r_p)), where);
     errors.powers.see(std::abs(powers.T_s[i] - norm(exact.t_s)), where);
@@ -144,7 +144,8 @@ TEST(FreeFilm, NothingIsReflectedByAHalfWave) {
   const double q2 = 1.5;
   for (const double half_waves : {1.0, 2.0, 7.0}) {
     const FilmCase film = film_at(1, 1.5, 100, 1);
-    const auto powers = free_film_powers(constant_crossing(film).factors(), film_phase_sin2(Double(half_waves / (2 * q2)) * q2));
+    const auto powers =
+        free_film_powers(constant_crossing(film).factors(), film_phase_sin2(Double(half_waves / (2 * q2)) * q2));
     for (int i = 0; i < lanes; ++i) EXPECT_EQ(powers.R_s[i], 0);
   }
 }

@@ -38,9 +38,8 @@ void compare(const FilmCase& film, const Crossing<L, D>& at, Errors& errors) {
     const double n1 = film.n1[i], n2 = film.n2[i], wavelength_nm = film.wavelength_nm[i];
     compare_powers(beams, i, two_beam(n1, n2, n1, film.thickness_nm, film.incidence(), wavelength_nm), film,
                    errors.two_beam);
-    compare_powers(without, i,
-                   without_interference(n1, n2, n1, film.thickness_nm, film.incidence(), wavelength_nm), film,
-                   errors.without_phase);
+    compare_powers(without, i, without_interference(n1, n2, n1, film.thickness_nm, film.incidence(), wavelength_nm),
+                   film, errors.without_phase);
   }
 }
 
