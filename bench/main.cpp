@@ -26,8 +26,11 @@ struct Options {
 
 Status run(const Options& options, bench::Report& report) {
   constexpr int repetitions = 9, quick_repetitions = 3;
-  constexpr int rounds = 7, quick_rounds = 2;
+  constexpr int rounds = 5, quick_rounds = 2;
   constexpr int samples = 16, quick_samples = 4;
+  for (const std::string& file : {options.json, options.update})
+    if (!file.empty())
+      if (const Status writable = io::check_writable(file); !writable) return writable;
   const int repeat = options.quick ? quick_repetitions : repetitions;
   report.paragraph(bench::machine_line() + "\nMedian (least..most)." +
                    (options.quick ? " A quick run: not for comparing." : ""));

@@ -145,7 +145,9 @@ void report_events(Report& report, const Measurements& all) {
       {grey_1, "grey"}, {two_beam_1, "two-beam, n = 1.333"}, {windows_1, "Airy, n = 1.333"}, {water_1, "Airy, water"}};
   Table table({"film", "events a camera sample", "all in", "more than grey", "beyond empty", "more than grey"});
   double grey[2] = {};
-  for (const auto& [which, name] : films) {
+  for (const auto& film : films) {
+    const Which which = film.first;
+    const char* name = film.second;
     const Job& job = all.jobs[which];
     const Run& first = job.runs.front();
     const double events = first.count(&RenderReport::film_events) / first.count(&RenderReport::camera_samples);
