@@ -43,9 +43,9 @@ double exact_sum(const color::Spectrum& lamp, std::span<const double, color::spe
   return sum;
 }
 
-// The smallest change of the weights, measured relative to `scale`, after which every lamp comes out exactly.
-void correct(Lanes& weight, const Lanes& scale, const std::vector<Lanes>& lamp_lanes,
-             const std::vector<double>& exact) {
+// The smallest change of the weights after which every lamp comes out exactly, spread evenly over the lanes: a change in
+// proportion to the weights would leave a bias three times as large in the mean over all combs.
+void correct(Lanes& weight, const std::vector<Lanes>& lamp_lanes, const std::vector<double>& exact) {
   const std::size_t n = lamp_lanes.size();
   std::vector<std::vector<double>> normal(n, std::vector<double>(n));
   std::vector<double> missing(n);
@@ -53,11 +53,11 @@ void correct(Lanes& weight, const Lanes& scale, const std::vector<Lanes>& lamp_l
     missing[a] = exact[a];
     for (int i = 0; i < lane_count; ++i) missing[a] -= lamp_lanes[a][i] * weight[i];
     for (std::size_t b = 0; b < n; ++b)
-      for (int i = 0; i < lane_count; ++i) normal[a][b] += lamp_lanes[a][i] * scale[i] * scale[i] * lamp_lanes[b][i];
+      for (int i = 0; i < lane_count; ++i) normal[a][b] += lamp_lanes[a][i] * lamp_lanes[b][i];
   }
   const std::vector<double> factor = solve_symmetric(normal, missing);
   for (int i = 0; i < lane_count; ++i)
-    for (std::size_t a = 0; a < n; ++a) weight[i] += scale[i] * scale[i] * lamp_lanes[a][i] * factor[a];
+    for (std::size_t a = 0; a < n; ++a) weight[i] += lamp_lanes[a][i] * factor[a];
 }
 
 }  // namespace
@@ -77,13 +77,10 @@ std::vector<Comb> wavelength_combs(const color::Observer& observer, std::span<co
   std::vector<Comb> combs(comb_count);
   for (int shift = 0; shift < comb_count; ++shift) {
     Comb& comb = combs[static_cast<std::size_t>(shift)];
-    Lanes scale{};
     for (int i = 0; i < lane_count; ++i) {
       comb.wavelength_nm[i] = start_nm + (i + (shift + 0.5) / comb_count) * spacing_nm;
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < 3; ++c)
         comb.weight[c][i] = spacing_nm * at_wavelength(responses[c], comb.wavelength_nm[i]);
-        scale[i] += comb.weight[c][i];
-      }
     }
     std::vector<Lanes> lamp_lanes(lamps.size());
     for (std::size_t a = 0; a < lamps.size(); ++a)
@@ -91,8 +88,8 @@ std::vector<Comb> wavelength_combs(const color::Observer& observer, std::span<co
     for (std::size_t c = 0; c < 3; ++c) {
       std::vector<double> exact(lamps.size());
       for (std::size_t a = 0; a < lamps.size(); ++a) exact[a] = exact_sum(lamps[a], responses[c]);
-      correct(comb.weight[c], scale, lamp_lanes, exact);
-      correct(comb.weight[c], scale, lamp_lanes, exact);  // again: what the ridge left over
+      correct(comb.weight[c], lamp_lanes, exact);
+      correct(comb.weight[c], lamp_lanes, exact);  // again: what the ridge left over
     }
   }
   return combs;

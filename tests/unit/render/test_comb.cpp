@@ -165,7 +165,7 @@ TEST(Comb, TheMeanOverAllCombsIsTheFilmsColour) {
       const Bias bias = film_bias(lamp_radiance(lamp), incidence_deg);
       std::printf("[ measured ] %s at %g degrees: XYZ of all combs within %.2g, of one comb %.2g\n",
                   std::string(lamp.name).c_str(), incidence_deg, bias.all_combs, bias.one_comb);
-      EXPECT_LT(bias.all_combs, 4e-4) << lamp.name;
+      EXPECT_LT(bias.all_combs, 1.5e-4) << lamp.name;
       EXPECT_LT(bias.one_comb, 0.04) << lamp.name;
     }
 }
