@@ -111,7 +111,8 @@ def spectra_chart(program):
         parts.append(text(x0 + wide / 2, top - 10, f"{angle}°", "middle", 14))
         for k in range(round(limit / unit) + 1):
             y = py(k * unit)
-            parts += [f'<path d="M{x0} {y:.1f}h{wide}" stroke="#ddd"/>', text(x0 - 6, y + 4, f"{k * unit:g}", "end", 11)]
+            parts += [f'<path d="M{x0} {y:.1f}h{wide}" stroke="#ddd"/>',
+                      text(x0 - 6, y + 4, f"{k * unit:g}", "end", 11)]
         for nm in (400, 500, 600, 700):
             parts.append(text(px(nm), top + high + 17, str(nm), "middle", 11))
         parts.append(text(x0 + wide / 2, top + high + 36, "wavelength (nm)", "middle", 12))
@@ -170,7 +171,8 @@ def difference_table(colours):
 
 
 def room_table(program):
-    print("\n| distance from the middle | angle at the wall | airy: Y | two-beam: Y | two-beam: linear sRGB |\n|---|---|---|---|---|")
+    print("\n| distance from the middle | angle at the wall | airy: Y | two-beam: Y | two-beam: linear sRGB |\n"
+          "|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         scene = os.path.join(folder, "white-room.yaml")
         with open(scene, "w", encoding="utf-8") as file:

@@ -18,7 +18,8 @@ constexpr double least_error = 2e-3;
 // The mean colour also adds up the errors that all pixels share, so it is allowed a tenth of that.
 constexpr double least_mean_error = 2e-4;
 
-// A pixel that caught a rare bright path is an outlier to any estimate from few samples; it counts as this much at most.
+// A pixel that caught a rare bright path is an outlier to any estimate from few samples; it counts as this much at
+// most.
 constexpr double most_of_one = 25;
 
 // Over 40 pairs of seeds the statistics stayed below 0.9 and 3.4 in every scene; with films 3 % thicker the first was
