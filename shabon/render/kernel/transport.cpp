@@ -208,17 +208,27 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
   const std::size_t i = block.path[lane];
   const PathState& state = now_.state[i];
   ++counts_.cut_paths;
-  const std::size_t child = push_child(block, lane, false, state.plane, state.carried, state.random);
   Row row = now_.row(i);
   if (state.depth == 0 && state.coplanar()) row.q0 = row.q1 = Lanes(0.5f * state.carried);
   const FilmTable& film = *block.film[lane];
-  if (film.kind == FilmKind::general) {
+  const bool lossless = film.kind != FilmKind::general;
+  const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
+  const std::int32_t plane = lossless || same_plane ? state.plane : PathState::general_row;
+  const std::size_t child = push_child(block, lane, false, plane, state.carried, state.random);
+  next_.sx[child] = now_.sx[i], next_.sy[child] = now_.sy[i], next_.sz[child] = now_.sz[i];
+  if (!lossless) {
     const Mueller m = general_mueller(tables_, film, state.comb, block.cos_i[lane], block.thickness_nm[lane]);
-    const Lanes kept = m.reflected.a + m.transmitted.a;
-    row = {row.q0 * kept, row.q1 * kept, row.q2 * kept, row.q3 * kept};
+    const Lanes kept = m.reflected.a + m.transmitted.a, more_s = m.reflected.b + m.transmitted.b;
+    if (same_plane) {
+      row.q0 = row.q0 * (kept + more_s), row.q1 = row.q1 * (kept - more_s);
+    } else {
+      if (state.coplanar()) row = {row.q0 + row.q1, row.q0 - row.q1, Lanes(0.0f), Lanes(0.0f)};
+      row = optics::rotated(row, block.cos_2phi[lane], block.sin_2phi[lane]);
+      row = optics::through(row, {kept, more_s, kept, Lanes(0.0f)});
+      next_.sx[child] = block.sx[lane], next_.sy[child] = block.sy[lane], next_.sz[child] = block.sz[lane];
+    }
   }
   next_.set_row(child, row);
-  next_.sx[child] = now_.sx[i], next_.sy[child] = now_.sy[i], next_.sz[child] = now_.sz[i];
 }
 
 // Equation (26): below the threshold a branch goes on with probability carried/threshold, and then carries the threshold.
