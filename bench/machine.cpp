@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "shabon/api/version.h"
@@ -23,10 +22,7 @@ std::string processor_name() {
 }  // namespace
 
 std::string machine_line() {
-  double load[1] = {0};
-  const bool known = getloadavg(load, 1) == 1;
-  return fmt::format("{}, {} cores{}. Shabon {} for {}, {}.", processor_name(), thread_count(0),
-                     known ? fmt::format(", load {:.1f} at the start", load[0]) : "", version(),
+  return fmt::format("{}, {} cores. Shabon {} for {}, {}.", processor_name(), thread_count(0), version(),
                      render::instruction_set(), SHABON_BENCH_COMPILER);
 }
 

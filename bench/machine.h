@@ -5,7 +5,7 @@
 
 namespace shabon::bench {
 
-// Processor, cores, load, compiler and the instruction set in use, in one line.
+// Processor, cores, compiler and the instruction set in use, in one line.
 std::string machine_line();
 
 }  // namespace shabon::bench

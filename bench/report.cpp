@@ -50,7 +50,7 @@ void Report::print(const std::string& text) {
   std::fflush(stdout);
 }
 
-void Report::heading(std::string_view text) { print(fmt::format("## {}\n\n", text)); }
+void Report::heading(std::string_view text) { print(fmt::format("### {}\n\n", text)); }
 void Report::paragraph(std::string_view text) { print(fmt::format("{}\n\n", text)); }
 void Report::table(const Table& table) { print(table.markdown() + "\n"); }
 

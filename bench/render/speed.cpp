@@ -128,6 +128,21 @@ void report_rates(Report& report, const Measurements& all, int samples) {
       fmt::format(" ({:.1f}).", rate * 1e-6));
 }
 
+// Whether the clock can be trusted: on a quiet machine a single thread has a whole core.
+void report_quiet(Report& report, const Measurements& all) {
+  constexpr double least_share = 0.95;
+  std::vector<double> shares;
+  for (const Job& job : all.jobs)
+    for (const Run& run : job.runs)
+      if (job.threads == 1) shares.push_back(100 * run.processor_seconds / run.report.seconds);
+  const Spread share = spread_of(std::move(shares));
+  report.record("render", "share of a core that a thread had", "percent", share);
+  report.paragraph(fmt::format("In these rounds a single thread had {} % of a core.{}", shown(share, 0),
+                               share.median >= 100 * least_share
+                                   ? ""
+                                   : " The machine did other work: trust what is by processor time, not the clock."));
+}
+
 void report_events(Report& report, const Measurements& all) {
   using render::RenderReport;
   report.heading("The price of interference");
@@ -225,6 +240,7 @@ Status bench_speed(Report& report, int repetitions, int samples) {
               {"windows, two-beam", &two_beam, 1, {}, {}}, {"windows, water", &water, 1, {}, {}}};
   all.repeat(repetitions, samples);
   report_rates(report, all, samples);
+  report_quiet(report, all);
   report_built_in(report, *built_in, std::max(1, repetitions / 2));
   report_events(report, all);
   report_scaling(report, all);
