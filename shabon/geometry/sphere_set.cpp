@@ -7,39 +7,60 @@
 
 namespace shabon::geometry {
 
-namespace {
-
-struct Query {
+struct SphereSet::Query {
   math::Vec3d origin, direction;
   int from = no_sphere;
+  std::optional<std::span<const int>> holding = {};
   WallHit nearest{std::numeric_limits<double>::infinity(), no_sphere};
+
+  // The nearest crossing in front of the origin, if it comes before what was found so far.
+  void consider(const SphereShape& sphere, int index) {
+    const auto distance = holding ? accounted_crossing(sphere, index) : first_crossing(sphere, index);
+    if (!distance) return;
+    const bool nearer = *distance < nearest.distance || (*distance == nearest.distance && index < nearest.sphere);
+    if (nearer) nearest = {*distance, index};
+  }
+
+ private:
+  std::optional<double> first_crossing(const SphereShape& sphere, int index) const {
+    double distance;
+    if (index == from) {
+      distance = chord(origin, direction, sphere.center);
+    } else {
+      const auto roots = sphere_roots(origin, direction, sphere.center, sphere.radius);
+      if (!(roots.half_chord_squared >= 0)) return {};
+      const double half = std::sqrt(roots.half_chord_squared);
+      distance = roots.middle - half > 0 ? roots.middle - half : roots.middle + half;
+    }
+    if (!(distance > 0)) return {};
+    return distance;
+  }
+
+  std::optional<double> accounted_crossing(const SphereShape& sphere, int index) const {
+    const bool held = std::binary_search(holding->begin(), holding->end(), index);
+    if (index == from) {
+      if (!held) return {};
+      return std::max(0.0, chord(origin, direction, sphere.center));
+    }
+    const auto roots = sphere_roots(origin, direction, sphere.center, sphere.radius);
+    if (!held && !(roots.half_chord_squared >= 0 && roots.middle > 0)) return {};
+    const double half = std::sqrt(std::max(0.0, roots.half_chord_squared));
+    return std::max(0.0, held ? roots.middle + half : roots.middle - half);
+  }
 };
 
-// The nearest crossing in front of the origin, if it comes before what was found so far.
-void consider(Query& query, const SphereShape& sphere, int index) {
-  double distance;
-  if (index == query.from) {
-    distance = chord(query.origin, query.direction, sphere.center);
-  } else {
-    const auto roots = sphere_roots(query.origin, query.direction, sphere.center, sphere.radius);
-    if (!(roots.half_chord_squared >= 0)) return;
-    const double half = std::sqrt(roots.half_chord_squared);
-    distance = roots.middle - half > 0 ? roots.middle - half : roots.middle + half;
-  }
-  if (!(distance > 0)) return;
-  const bool nearer = distance < query.nearest.distance ||
-                      (distance == query.nearest.distance && index < query.nearest.sphere);
-  if (nearer) query.nearest = {distance, index};
-}
+namespace {
 
 // Embree works in float. It sees the scene moved and scaled into the unit ball, and rays from where they enter it, so
-// that neither size nor place of the scene costs digits; its boxes are larger than the spheres by more than float loses.
+// that neither size nor place of the scene costs digits; its boxes are larger than the spheres by more than float
+// loses.
 struct Frame {
   math::Vec3d center;
   double inverse_radius = 1;
 };
 
-// Rounding moves a ray by 6e-8 at its origin and 1.2e-7 at its end, and a box by 6e-8; Embree's own arithmetic doubles it.
+// Rounding moves a ray by 6e-8 at its origin and 1.2e-7 at its end, and a box by 6e-8; Embree's own arithmetic doubles
+// it.
 constexpr double slack = 2e-6;
 
 Frame frame_around(const std::vector<SphereShape>& spheres) {
@@ -55,27 +76,18 @@ Frame frame_around(const std::vector<SphereShape>& spheres) {
   return {center, 1 / radius};
 }
 
-// Embree hands the extended context back to the callback, which finds the double-precision ray behind it.
-struct Context {
-  RTCIntersectContext base;
-  Query* query;
-  const SphereShape* spheres;
-  double scale;  // from distances along the query's ray to those along Embree's,
-  double start;  // which begins here
-};
-
-void intersect(const RTCIntersectFunctionNArguments* args) {
-  if (!args->valid[0]) return;
-  const auto* context = reinterpret_cast<const Context*>(args->context);
-  consider(*context->query, context->spheres[args->primID], static_cast<int>(args->primID));
-  auto* ray = reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const double far = std::max(0.0, context->query->nearest.distance * context->scale - context->start) + slack;
-  ray->ray.tfar = std::min(ray->ray.tfar, static_cast<float>(far));
-}
-
 }  // namespace
 
 struct SphereSet::Tree {
+  // Embree hands the extended context back to the callback, which finds the double-precision ray behind it.
+  struct Context {
+    RTCIntersectContext base;
+    Query* query;
+    const SphereShape* spheres;
+    double scale;  // from distances along the query's ray to those along Embree's,
+    double start;  // which begins here
+  };
+
   const SphereShape* spheres;
   Frame frame;
   RTCDevice device = nullptr;
@@ -112,6 +124,15 @@ struct SphereSet::Tree {
     box.lower_x = static_cast<float>(c.x - reach), box.upper_x = static_cast<float>(c.x + reach);
     box.lower_y = static_cast<float>(c.y - reach), box.upper_y = static_cast<float>(c.y + reach);
     box.lower_z = static_cast<float>(c.z - reach), box.upper_z = static_cast<float>(c.z + reach);
+  }
+
+  static void intersect(const RTCIntersectFunctionNArguments* args) {
+    if (!args->valid[0]) return;
+    const auto* context = reinterpret_cast<const Context*>(args->context);
+    context->query->consider(context->spheres[args->primID], static_cast<int>(args->primID));
+    auto* ray = reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const double far = std::max(0.0, context->query->nearest.distance * context->scale - context->start) + slack;
+    ray->ray.tfar = std::min(ray->ray.tfar, static_cast<float>(far));
   }
 
   // Shows every sphere that the ray may meet first to consider().
@@ -152,11 +173,21 @@ SphereSet::SphereSet(SphereSet&&) noexcept = default;
 SphereSet& SphereSet::operator=(SphereSet&&) noexcept = default;
 
 std::optional<WallHit> SphereSet::next_wall(math::Vec3d origin, math::Vec3d direction, int from) const {
-  Query query{origin, direction, from};
+  Query query{.origin = origin, .direction = direction, .from = from};
+  return nearest_of(query);
+}
+
+std::optional<WallHit> SphereSet::next_wall(math::Vec3d origin, math::Vec3d direction, int from,
+                                            std::span<const int> holding) const {
+  Query query{.origin = origin, .direction = direction, .from = from, .holding = holding};
+  return nearest_of(query);
+}
+
+std::optional<WallHit> SphereSet::nearest_of(Query& query) const {
   if (tree_)
     tree_->search(query);
   else
-    for (std::size_t i = 0; i < spheres_.size(); ++i) consider(query, spheres_[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < spheres_.size(); ++i) query.consider(spheres_[i], static_cast<int>(i));
   if (query.nearest.sphere == no_sphere) return {};
   return query.nearest;
 }

@@ -35,12 +35,20 @@ class SphereSet {
   // `from` does not meet that wall again, only its other side. At equal distances the sphere listed first is met first.
   std::optional<WallHit> next_wall(math::Vec3d origin, math::Vec3d direction, int from = no_sphere) const;
 
+  // The same for a caller who keeps account of the spheres that hold the ray: `holding`, in rising order. Those must be
+  // left and the others may be entered, so rounding cannot lose a wall, or meet it twice, where several share a point.
+  std::optional<WallHit> next_wall(math::Vec3d origin, math::Vec3d direction, int from,
+                                   std::span<const int> holding) const;
+
   std::span<const SphereShape> spheres() const { return spheres_; }
   // Whether the spheres are looked at one by one.
   bool has_few() const { return tree_ == nullptr; }
 
  private:
   struct Tree;
+  struct Query;
+  std::optional<WallHit> nearest_of(Query& query) const;
+
   std::vector<SphereShape> spheres_;
   std::unique_ptr<Tree> tree_;
 };

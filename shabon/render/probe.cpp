@@ -18,6 +18,15 @@ using math::Vec3d;
 constexpr double least_carried = 1e-7;
 constexpr int most_events = 1024;
 
+constexpr double least_cos = 1e-8;  // of the angle of incidence: R is 1 there to 1e-7, and every model is finite
+
+// Films that face each other near grazing incidence hand light to and fro for ever more branches. A tree of more events
+// than this is cut earlier: the bound doubles with every further step.
+constexpr double large_tree_events = 1 << 19, large_tree_step = 1 << 17;
+
+// The paper's recursion does not end by itself, (13): a path that needs more events is dropped.
+constexpr int two_beam_most_events = 16;
+
 struct Stokes {
   double q0 = 0, q1 = 0, q2 = 0, q3 = 0;
 };
@@ -25,11 +34,13 @@ struct Stokes {
 // One branch of the tree on its way to the next wall.
 struct Branch {
   Vec3d origin, direction;
-  Vec3d s;                      // the rows' s axis
+  Vec3d s;                   // the rows' s axis
+  std::vector<int> holding;  // the spheres that it is in, in rising order
   int from = geometry::no_sphere;
-  int next_slot = -1;           // film of `from` on the same spot that is met next, or -1
+  int next_slot = -1;   // film of `from` on the same spot that is met next, or -1
+  bool inward = false;  // on its way through such films
   int depth = 0;
-  std::vector<Stokes> rows;     // one per wavelength
+  std::vector<Stokes> rows;  // one per wavelength
 };
 
 Stokes rotated(const Stokes& q, double cos_2phi, double sin_2phi) {
@@ -57,6 +68,9 @@ class Tree {
   }
 
   ProbeResult trace(Branch first) {
+    const auto shapes_in_scene = spheres_.spheres();
+    for (std::size_t i = 0; i < shapes_in_scene.size(); ++i)
+      if (holds(shapes_in_scene[i], first.origin, first.direction)) first.holding.push_back(static_cast<int>(i));
     open_.push_back(std::move(first));
     while (!open_.empty()) {
       Branch branch = std::move(open_.back());
@@ -73,10 +87,17 @@ class Tree {
     return result;
   }
 
+  // An eye on the wall is on the side that it looks into.
+  static bool holds(const geometry::SphereShape& sphere, const Vec3d& eye, const Vec3d& direction) {
+    const Vec3d m = eye - sphere.center;
+    const double excess = math::length(m) - sphere.radius;
+    return excess < 0 || (excess == 0 && math::dot(m, direction) < 0);
+  }
+
   void follow(Branch& branch) {
     geometry::WallHit hit{0, branch.from};
     if (branch.next_slot < 0) {
-      const auto found = spheres_.next_wall(branch.origin, branch.direction, branch.from);
+      const auto found = spheres_.next_wall(branch.origin, branch.direction, branch.from, branch.holding);
       if (!found) return add_environment(branch);
       hit = *found;
     }
@@ -84,7 +105,9 @@ class Tree {
     const Vec3d point = branch.origin + branch.direction * hit.distance;
     const Vec3d normal = (point - sphere.center) * (1 / sphere.radius);
     const double along = math::dot(branch.direction, normal);
-    const int slot = branch.next_slot >= 0 ? branch.next_slot : along < 0 ? 0 : sphere.film_count - 1;
+    const bool between_films = branch.next_slot >= 0;
+    if (!between_films) branch.inward = !std::binary_search(branch.holding.begin(), branch.holding.end(), hit.sphere);
+    const int slot = between_films ? branch.next_slot : branch.inward ? 0 : sphere.film_count - 1;
     turn_into_plane(branch, normal);
     branch.origin = point;
     branch.from = hit.sphere;
@@ -108,11 +131,11 @@ class Tree {
     const scene::Sphere& sphere = scene_.spheres[static_cast<std::size_t>(branch.from)];
     const auto film = static_cast<std::size_t>(sphere.first_film + slot);
     const double thickness_nm = film::thickness_nm(scene_.films[film].thickness, normal);
-    const optics::Incidence incidence = optics::incidence_from_cos(std::min(std::abs(along), 1.0));
-    double carried = 0;
-    for (const Stokes& q : branch.rows) carried = std::max(carried, q.q0);
-    const bool cut = carried < least_carried || branch.depth >= most_events;
+    const optics::Incidence incidence = optics::incidence_from_cos(std::clamp(std::abs(along), least_cos, 1.0));
+    const bool paper = scene_.render.interference == optics::Interference::two_beam;
+    const bool cut = carries_little(branch) || branch.depth >= (paper ? two_beam_most_events : most_events);
     if (cut) ++result_.cut_branches;
+    if (cut && paper && branch.depth >= two_beam_most_events) return;
     Branch reflected = branch;
     for (std::size_t i = 0; i < branch.rows.size(); ++i) {
       const optics::FilmRows rows = optics::film_rows(scene_.render.interference, outside_[i], films_[film][i],
@@ -123,17 +146,31 @@ class Tree {
       const double kept = rows.reflected.a + rows.transmitted.a;
       branch.rows[i] = cut ? Stokes{back.q0 + forth.q0, back.q1 + forth.q1, q.q2 * kept, q.q3 * kept} : forth;
     }
-    reflected.direction = branch.direction - normal * (2 * along);
-    const int films = sphere.film_count;
-    const auto slot_after = [&](bool inward) {
-      const int next = slot + (inward ? 1 : -1);
-      return next >= 0 && next < films ? next : -1;
-    };
-    branch.next_slot = slot_after(along < 0);
-    reflected.next_slot = slot_after(along >= 0);
+    // Unit length anew: a deviation would grow up to 18 times from wall to wall of a bubble.
+    reflected.direction = math::normalize(branch.direction - normal * (2 * along));
+    leave(branch, sphere.film_count, slot, branch.inward);
+    leave(reflected, sphere.film_count, slot, !branch.inward);
     ++branch.depth, ++reflected.depth;
     if (!cut) open_.push_back(std::move(reflected));
     open_.push_back(std::move(branch));
+  }
+
+  // On from the film `slot` of `branch.from`: to its neighbour on the same spot, or into or out of the sphere.
+  static void leave(Branch& branch, int films, int slot, bool inward) {
+    const int next = slot + (inward ? 1 : -1);
+    branch.inward = inward;
+    branch.next_slot = next >= 0 && next < films ? next : -1;
+    if (branch.next_slot >= 0) return;
+    const auto at = std::lower_bound(branch.holding.begin(), branch.holding.end(), branch.from);
+    const bool held = at != branch.holding.end() && *at == branch.from;
+    if (inward && !held) branch.holding.insert(at, branch.from);
+    if (!inward && held) branch.holding.erase(at);
+  }
+
+  bool carries_little(const Branch& branch) const {
+    const double excess = (static_cast<double>(result_.film_events) - large_tree_events) / large_tree_step;
+    const double least = excess > 0 ? least_carried * std::exp2(excess) : least_carried;
+    return std::all_of(branch.rows.begin(), branch.rows.end(), [&](const Stokes& q) { return !(q.q0 >= least); });
   }
 
   void add_environment(const Branch& branch) {

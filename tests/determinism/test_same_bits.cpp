@@ -1,0 +1,191 @@
+// A scene and a seed decide the picture to the last bit: not the number of threads, not when it was stopped.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+
+#include "shabon/render/render.h"
+#include "tests/physics/transport/scenes.h"
+
+namespace shabon {
+namespace {
+
+constexpr int width = 37, height = 21, samples = 36;  // partly filled tiles; passes of 4, 12, 16 and 4 samples
+
+// Passes that end before `samples`, by the number of samples that every pixel then has.
+constexpr int pass_ends[] = {4, 16, 32};
+
+scene::Scene scene_of(const std::string& arrangement) {
+  scene::SceneDesc description = scene_of(testing_scenes::arrangement(arrangement), testing_scenes::light("windows"));
+  description.image = {width, height};
+  description.render.samples = samples;
+  if (arrangement == "overlapping") description.camera.polarizer_deg = 20;
+  return testing_scenes::compiled(description);
+}
+
+struct Outcome {
+  render::Sensor sensor{width, height};
+  render::RenderReport report;
+};
+
+Outcome rendered(const scene::Scene& scene, render::RenderOptions options) {
+  Outcome outcome;
+  const auto report = render::render(scene, options, outcome.sensor);
+  EXPECT_TRUE(report.ok());
+  if (report) outcome.report = *report;
+  return outcome;
+}
+
+Outcome rendered(const scene::Scene& scene, int threads) {
+  render::RenderOptions options;
+  options.threads = threads;
+  return rendered(scene, options);
+}
+
+bool same_bits(const render::Sensor::Pixel& a, const render::Sensor::Pixel& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z) && a.samples == b.samples;
+}
+
+int different_pixels(const render::Sensor& a, const render::Sensor& b) {
+  int count = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) count += !same_bits(a.at(x, y), b.at(x, y));
+  return count;
+}
+
+TEST(SameBits, for_any_number_of_threads) {
+  for (const char* name : {"single", "overlapping", "cluster"}) {
+    const scene::Scene scene = scene_of(name);
+    const Outcome one = rendered(scene, 1);
+    EXPECT_FALSE(one.report.interrupted);
+    EXPECT_EQ(one.report.samples_done, samples);
+    EXPECT_EQ(one.sensor.sample_range(), (std::pair<std::uint32_t, std::uint32_t>(samples, samples)));
+    for (const int threads : {2, 7, 0}) {
+      const Outcome many = rendered(scene, threads);
+      EXPECT_EQ(different_pixels(one.sensor, many.sensor), 0) << name << ", " << threads << " threads";
+      EXPECT_EQ(one.report.film_events, many.report.film_events);
+      EXPECT_EQ(one.report.rays, many.report.rays);
+    }
+  }
+}
+
+TEST(SameBits, but_not_for_another_seed) {
+  scene::Scene scene = scene_of("single");
+  const Outcome first = rendered(scene, 1);
+  scene.render.seed = 2;
+  const Outcome second = rendered(scene, 1);
+  // The background is a softbox or plain light: only pixels that see the bubble, or an edge, differ.
+  EXPECT_GT(different_pixels(first.sensor, second.sensor), width * height / 4);
+}
+
+TEST(SameBits, another_render_adds_to_the_sensor) {
+  const scene::Scene scene = scene_of("single");
+  const Outcome once = rendered(scene, 2);
+  render::Sensor twice(width, height);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(render::render(scene, {}, twice).ok());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      ASSERT_EQ(twice.at(x, y).samples, 2u * samples);
+      ASSERT_NEAR(twice.mean(x, y).y, once.sensor.mean(x, y).y, 1e-12 * once.sensor.mean(x, y).y);
+    }
+}
+
+// Stops when `share` of the work is done; the tile that is being worked on is finished.
+Outcome stopped_at(const scene::Scene& scene, int threads, double share) {
+  StopFlag stop = false;
+  render::RenderOptions options;
+  options.threads = threads;
+  options.stop = &stop;
+  options.progress = [&](double done) {
+    if (done >= share) stop = true;
+  };
+  return rendered(scene, options);
+}
+
+// The picture after so many samples, had no more been asked for.
+std::vector<Outcome> pass_by_pass(const scene::Scene& scene) {
+  std::vector<Outcome> result;
+  for (const int end : pass_ends) {
+    scene::Scene shorter = scene;
+    shorter.render.samples = end;
+    result.push_back(rendered(shorter, 1));
+  }
+  result.push_back(rendered(scene, 1));
+  return result;
+}
+
+TEST(SameBits, of_what_an_interrupted_render_finished) {
+  const scene::Scene scene = scene_of("overlapping");
+  const std::vector<Outcome> passes = pass_by_pass(scene);
+  for (const int threads : {1, 2, 7}) {
+    for (const double share : {0.0, 0.05, 0.3, 0.6, 0.95}) {
+      SCOPED_TRACE(testing::Message() << threads << " threads, stopped at " << share);
+      const Outcome stopped = stopped_at(scene, threads, share);
+      const auto [fewest, most] = stopped.sensor.sample_range();
+      EXPECT_TRUE(stopped.report.interrupted);
+      EXPECT_EQ(stopped.report.samples_done, static_cast<int>(fewest));
+      EXPECT_LT(fewest, static_cast<std::uint32_t>(samples));
+      EXPECT_GT(most, 0u);
+      std::uint64_t camera_samples = 0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const render::Sensor::Pixel& pixel = stopped.sensor.at(x, y);
+          camera_samples += pixel.samples;
+          if (pixel.samples == 0) {
+            ASSERT_EQ(pixel.x, 0);
+            continue;
+          }
+          bool found = false;
+          for (const Outcome& pass : passes) found |= same_bits(pixel, pass.sensor.at(x, y));
+          ASSERT_TRUE(found) << x << ' ' << y << " has " << pixel.samples << " samples";
+        }
+      EXPECT_LE(camera_samples, stopped.report.camera_samples);  // pixels on a rim get more of them for a sample
+    }
+  }
+}
+
+TEST(SameBits, nothing_is_left_out_when_the_stop_comes_too_late) {
+  const scene::Scene scene = scene_of("single");
+  const Outcome late = stopped_at(scene, 1, 1.0);
+  EXPECT_FALSE(late.report.interrupted);
+  EXPECT_EQ(late.report.samples_done, samples);
+  EXPECT_EQ(different_pixels(late.sensor, rendered(scene, 1).sensor), 0);
+}
+
+TEST(SameBits, of_a_render_stopped_before_it_began) {
+  const scene::Scene scene = scene_of("single");
+  StopFlag stop = true;
+  render::RenderOptions options;
+  options.stop = &stop;
+  const Outcome outcome = rendered(scene, options);
+  EXPECT_TRUE(outcome.report.interrupted);
+  EXPECT_EQ(outcome.report.samples_done, 0);
+  EXPECT_EQ(outcome.report.camera_samples, 0u);
+  EXPECT_EQ(outcome.sensor.sample_range().second, 0u);
+}
+
+TEST(SameBits, progress_rises_to_its_end) {
+  const scene::Scene scene = scene_of("single");
+  double last = 0;
+  bool rises = true;
+  render::RenderOptions options;
+  options.threads = 2;
+  options.progress = [&](double done) {
+    rises &= done >= last;
+    last = done;
+  };
+  rendered(scene, options);
+  EXPECT_TRUE(rises);
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(SameBits, a_sensor_of_another_size_is_refused) {
+  const scene::Scene scene = scene_of("single");
+  render::Sensor sensor(width, height + 1);
+  EXPECT_FALSE(render::render(scene, {}, sensor).ok());
+}
+
+}  // namespace
+}  // namespace shabon

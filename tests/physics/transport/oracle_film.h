@@ -1,0 +1,29 @@
+// What a film does to the fields of light, computed in ways the library does not use: the characteristic matrix
+// (Abeles 1950; Born and Wolf, section 1.6) for the exact film, the paper's own real form for two beams, a plain loop
+// over the internal reflections where phases are lost.
+#pragma once
+
+#include <complex>
+
+#include "shabon/optics/interference.h"
+
+namespace shabon::oracle {
+
+using Complex = std::complex<double>;
+
+// Acts on the coherency of light, <E_i conj(E_j)>: ss and pp are multiplied by a power, sp by a complex number.
+struct CoherencyFactors {
+  double ss = 0, pp = 0;
+  Complex sp;
+};
+
+struct FilmResponse {
+  CoherencyFactors reflected, transmitted;
+  bool depolarises = false;  // the paper's model: s and p are averaged at every wall
+};
+
+// A film of index `n_film` in a lossless medium `n_outside` on both sides; 0 < cos_i <= 1.
+FilmResponse film_response(optics::Interference model, double n_outside, Complex n_film, double thickness_nm,
+                           double cos_i, double wavelength_nm);
+
+}  // namespace shabon::oracle

@@ -1,0 +1,122 @@
+#include "scenes.h"
+
+#include <stdexcept>
+
+namespace shabon::testing_scenes {
+
+namespace {
+
+using film::ConstantThickness;
+using film::LinearThickness;
+
+scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string stack) {
+  scene::BubbleDesc result{center, radius, scene::StackFilmDesc{std::move(stack)}};
+  return result;
+}
+
+// More bubbles than are looked at one by one.
+std::vector<scene::ObjectDesc> cluster() {
+  std::vector<scene::ObjectDesc> result;
+  for (int i = 0; i < 14; ++i)
+    result.push_back(bubble({0.5 * (i % 4) - 0.8, 0.45 * (i / 4) - 0.8, 0.3 * ((i * 5) % 7) - 1.0},
+                            0.2 + 0.02 * (i % 5), "water", LinearThickness{100.0 + 20 * i, 700}));
+  return result;
+}
+
+std::vector<Surroundings> make_surroundings() {
+  scene::EnvironmentDesc gradient, softboxes, windows;
+  gradient.base = scene::GradientEnvironmentDesc{{"D65", 1}, {"A", 0.1}};
+  softboxes.base = scene::ConstantEnvironmentDesc{{"D65", 0.2}};
+  softboxes.softboxes = {{{"D65", 20}, {1, 1, 1}, scene::RoundShapeDesc{12}},
+                         {{"A", 5}, {-1, 0.3, -2}, scene::RoundShapeDesc{100}}};
+  windows.base = scene::ConstantEnvironmentDesc{{"E", 0.05}};
+  windows.softboxes = {{{"D65", 10}, {-1, 1, 1}, scene::WindowShapeDesc{40, 30, 0}},
+                       {{"D65", 3}, {0.4, -0.2, -1}, scene::WindowShapeDesc{120, 50, 25}},
+                       {{"A", 4}, {-1, 0.8, 1}, scene::WindowShapeDesc{30, 60, -70}}};
+  return {{"constant", uniform("D65", 0.2)}, {"gradient", gradient}, {"softboxes", softboxes}, {"windows", windows}};
+}
+
+}  // namespace
+
+scene::ObjectDesc bubble(math::Vec3d center, double radius, std::string medium, film::ThicknessModel thickness) {
+  return scene::BubbleDesc{center, radius, scene::MediumFilmDesc{std::move(medium), thickness}};
+}
+
+const std::vector<Arrangement>& arrangements() {
+  const LinearThickness draining{150, 900};
+  static const std::vector<Arrangement> list = {
+      {"single", {bubble({0, 0, 0}, 1, "water", draining)}},
+      {"even", {bubble({0.2, -0.1, 0}, 0.9, "1.3333333333333333", ConstantThickness{380})}},
+      {"no thickness", {bubble({0, 0, 0}, 1, "water", ConstantThickness{0})}},
+      {"dense", {bubble({0, 0, 0}, 1, "2.4", ConstantThickness{115})}},
+      {"overlapping",
+       {bubble({-0.4, 0, 0}, 0.8, "water", draining), bubble({0.5, 0.2, 0.3}, 0.7, "1.4", ConstantThickness{520})}},
+      {"three overlapping",
+       {bubble({-0.4, 0, 0}, 0.8, "water", draining), bubble({0.5, 0.2, 0.3}, 0.7, "1.4", ConstantThickness{520}),
+        bubble({0.1, 0.5, -0.4}, 0.6, "water", LinearThickness{300, 250})}},
+      {"nested",
+       {bubble({0, 0, 0}, 1, "water", draining), bubble({0.2, 0.3, 0.1}, 0.5, "1.5", ConstantThickness{240}),
+        bubble({0.25, 0.3, 0.1}, 0.2, "water", ConstantThickness{1200})}},
+      {"concentric",
+       {bubble({0, 0, 0}, 1, "water", draining), bubble({0, 0, 0}, 0.999, "1.4", ConstantThickness{300}),
+        bubble({0, 0, 0}, 0.5, "water", ConstantThickness{640})}},
+      {"touching",
+       {bubble({-0.5, 0, 0}, 0.5, "water", draining), bubble({0.5, 0, 0}, 0.5, "1.4", ConstantThickness{520}),
+        bubble({-0.25, 0, 0}, 0.25, "water", ConstantThickness{430})}},
+      {"coincident",
+       {bubble({0, 0, 0}, 1, "water", draining), bubble({0.3, 0, 0}, 0.4, "water", ConstantThickness{300}),
+        bubble({0, 0, 0}, 1, "1.5", ConstantThickness{410})}},
+      {"absorbing",
+       {bubble({-0.3, 0, 0}, 0.8, "1.4+0.05i", draining), bubble({0.3, 0.1, 0.2}, 0.6, "water", ConstantThickness{500}),
+        bubble({-0.3, 0, 0}, 0.8, "0.2+3i", ConstantThickness{12})},
+       false},
+      {"air in water",
+       {stack_bubble({-0.6, 0, 0}, 0.6, "water | air 260nm | water"),
+        stack_bubble({0.6, 0.1, 0.2}, 0.5, "water | 1.6 350nm | water")},
+       true,
+       false},
+      {"cluster", cluster()},
+  };
+  return list;
+}
+
+const Arrangement& arrangement(const std::string& name) {
+  for (const Arrangement& entry : arrangements())
+    if (entry.name == name) return entry;
+  throw std::invalid_argument("no arrangement " + name);
+}
+
+const std::vector<Surroundings>& surroundings() {
+  static const std::vector<Surroundings> list = make_surroundings();
+  return list;
+}
+
+const scene::EnvironmentDesc& light(const std::string& name) {
+  for (const Surroundings& entry : surroundings())
+    if (entry.name == name) return entry.light;
+  throw std::invalid_argument("no light " + name);
+}
+
+scene::EnvironmentDesc uniform(const std::string& illuminant, double scale) {
+  scene::EnvironmentDesc result;
+  result.base = scene::ConstantEnvironmentDesc{{illuminant, scale}};
+  return result;
+}
+
+scene::SceneDesc scene_of(const Arrangement& arrangement, const scene::EnvironmentDesc& light) {
+  scene::SceneDesc result;
+  result.image = {8, 8};
+  result.camera.position = {0.3, 0.4, 5};
+  result.camera.vertical_fov_deg = 26;
+  result.environment = light;
+  result.objects = arrangement.bubbles;
+  return result;
+}
+
+scene::Scene compiled(const scene::SceneDesc& description) {
+  auto scene = scene::compile(description, {});
+  if (!scene) throw std::invalid_argument(scene.errors().front().message);
+  return *std::move(scene);
+}
+
+}  // namespace shabon::testing_scenes
