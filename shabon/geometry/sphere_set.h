@@ -24,7 +24,7 @@ enum class WallSearch { by_number, one_by_one, tree };
 class SphereSet {
  public:
   // Up to this many spheres are looked at one by one: that is faster than a tree (bench/geometry measures it).
-  static constexpr int few = 8;
+  static constexpr int few = 32;
 
   explicit SphereSet(std::vector<SphereShape> spheres, WallSearch search = WallSearch::by_number);
   ~SphereSet();

@@ -201,6 +201,19 @@ inline std::uint32_t bits(packet_mask<T, N> mask) {
 template <class T, int N>
 inline bool any(packet_mask<T, N> mask) { return bits(mask) != 0; }
 
+// 1/a with a relative error below 2e-7, for normal numbers whose reciprocal is normal too.
+template <int N>
+inline packet<float, N> reciprocal(packet<float, N> a) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(a) == 64) {
+    // 14 bits from the table, then one step of Newton's method.
+    const auto rough = packet<float, N>::wrap(_mm512_maskz_rcp14_ps(0xFFFF, (__m512)a.v));
+    return rough * (2.0f - a * rough);
+  }
+#endif
+  return packet<float, N>(1.0f) / a;
+}
+
 // Some compilers turn a loop over std::sqrt into one instruction, some do not.
 template <class T, int N>
 inline packet<T, N> sqrt(packet<T, N> a) {
@@ -281,6 +294,16 @@ inline T largest(packet<T, N> a) {
   }
 }
 
+template <class T, int N, int... lane>
+inline packet<T, 2 * N> joined(packet<T, N> low, packet<T, N> high, std::integer_sequence<int, lane...>) {
+  return packet<T, 2 * N>::wrap(__builtin_shufflevector(low.v, high.v, lane...));
+}
+
+template <int first, class T, int N, int... lane>
+inline packet<T, N / 2> part(packet<T, N> a, std::integer_sequence<int, lane...>) {
+  return packet<T, N / 2>::wrap(__builtin_shufflevector(a.v, a.v, (first + lane)...));
+}
+
 // Lane by lane to another number type.
 template <class To, class T, int N>
 inline packet<To, N> convert(packet<T, N> a) {
@@ -290,10 +313,12 @@ inline packet<To, N> convert(packet<T, N> a) {
     return packet<To, N>::wrap(__builtin_convertvector(a.v, typename packet<To, N>::vector));
   } else {
     packet<T, N / 2> halves[2];
-    if constexpr (fits_register<T, N>)
-      std::memcpy(halves, &a, sizeof halves);
-    else
+    if constexpr (fits_register<T, N>) {
+      halves[0] = part<0>(a, std::make_integer_sequence<int, N / 2>());
+      halves[1] = part<N / 2>(a, std::make_integer_sequence<int, N / 2>());
+    } else {
       halves[0] = a.lo, halves[1] = a.hi;
+    }
     const packet<To, N / 2> low = convert<To>(halves[0]), high = convert<To>(halves[1]);
     if constexpr (fits_register<To, N>) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
@@ -301,10 +326,7 @@ inline packet<To, N> convert(packet<T, N> a) {
         return packet<To, N>::wrap(_mm512_insertf32x8(
             _mm512_castps256_ps512((__m256)low.v), (__m256)high.v, 1));
 #endif
-      packet<To, N> result;
-      std::memcpy(&result, &low, sizeof low);
-      std::memcpy(reinterpret_cast<char*>(&result) + sizeof low, &high, sizeof high);
-      return result;
+      return joined(low, high, std::make_integer_sequence<int, N>());
     } else {
       return {low, high};
     }

@@ -86,7 +86,7 @@ inline FilmPowers<N> free_film_powers(const FreeFilmFactors<L>& f, math::packet<
   const P a = P(f.contrast) * sin2;
   const P b = a * P(f.brewster * f.brewster);
   const P both_s = Y + a, both_p = Y + b;
-  const P one_over = 1.0f / (both_s * both_p);
+  const P one_over = math::reciprocal(both_s * both_p);
   const P over_s = both_p * one_over, over_p = both_s * one_over;
   return {a * over_s, b * over_p, Y * over_s, Y * over_p};
 }
@@ -111,7 +111,7 @@ inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FreeF
   const P x = P(f.contrast) * phase.sin2;
   const P y = x * g * g;
   const P both_s = Y + x, both_p = Y + y;
-  const P one_over = 1.0f / (both_s * both_p);
+  const P one_over = math::reciprocal(both_s * both_p);
   const P over_s = both_p * one_over, over_p = both_s * one_over;
   const P half(0.5f);
   const P R_s = x * over_s * half, R_p = y * over_p * half, T_s = Y * over_s * half, T_p = Y * over_p * half;

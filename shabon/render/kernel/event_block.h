@@ -74,7 +74,7 @@ inline void turn_frame(const SceneTables& tables, const Paths& paths, EventBlock
 // Fills the block from `count` paths; `hits` are their indices in the generation.
 inline void event_geometry(const SceneTables& tables, const Paths& paths, const std::uint32_t* hits, int count,
                            const double* distance, const std::int32_t* sphere_of, EventBlock& block) {
-  alignas(64) double o[3][ray_block], d[3][ray_block], c[3][ray_block], t[ray_block], inverse_radius[ray_block];
+  alignas(64) double o[3][ray_block], d[3][ray_block], c[3][ray_block], t[ray_block], radius[ray_block];
   block.count = count;
   for (int lane = 0; lane < ray_block; ++lane) {
     const std::uint32_t i = hits[lane < count ? lane : 0];
@@ -83,11 +83,11 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
     o[0][lane] = paths.ox[i], o[1][lane] = paths.oy[i], o[2][lane] = paths.oz[i];
     d[0][lane] = paths.dx[i], d[1][lane] = paths.dy[i], d[2][lane] = paths.dz[i];
     c[0][lane] = sphere.center.x, c[1][lane] = sphere.center.y, c[2][lane] = sphere.center.z;
-    t[lane] = distance[i], inverse_radius[lane] = 1 / sphere.radius;
+    t[lane] = distance[i], radius[lane] = sphere.radius;
   }
   const auto origin = detail::load3(o[0], o[1], o[2]), direction = detail::load3(d[0], d[1], d[2]);
   const auto point = origin + direction * Rays::load(t);
-  const auto normal = (point - detail::load3(c[0], c[1], c[2])) * Rays::load(inverse_radius);
+  const auto normal = (point - detail::load3(c[0], c[1], c[2])) * (Rays(1.0) / Rays::load(radius));
   const Rays along = math::dot(direction, normal);
   // Brought back to unit length: a deviation would grow up to 18 times from wall to wall of a bubble.
   const auto turned = direction - normal * (along + along);

@@ -74,7 +74,7 @@ optics::WallReflectance<L> wall(const Crossing<L, D>& at) {
 }
 
 template <class L, class D>
-Powers film_powers(optics::Interference mode, const Crossing<L, D>& at) {
+inline Powers film_powers(optics::Interference mode, const Crossing<L, D>& at) {
   if (mode == optics::Interference::airy)
     return optics::free_film_powers(optics::free_film_factors(at.indices, at.angle()), optics::film_phase_sin2(at.cycles));
   if (mode == optics::Interference::two_beam)
@@ -83,7 +83,7 @@ Powers film_powers(optics::Interference mode, const Crossing<L, D>& at) {
 }
 
 template <class L, class D>
-Mueller film_mueller(optics::Interference mode, const Crossing<L, D>& at) {
+inline Mueller film_mueller(optics::Interference mode, const Crossing<L, D>& at) {
   if (mode == optics::Interference::airy)
     return optics::free_film_mueller(optics::free_film_factors(at.indices, at.angle()),
                                      optics::free_film_turn(at.indices, at.angle()), optics::film_phase(at.cycles));

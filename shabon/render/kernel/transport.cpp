@@ -74,8 +74,7 @@ void TileTransport::trace_generation() {
   distance_.resize(count + leaf_block), sphere_.resize(count + leaf_block);
   now_.reserve(0);
   next_walls(tables_, now_, distance_.data(), sphere_.data());
-  hits_.clear(), leaves_.clear();
-  for (std::uint32_t i = 0; i < count; ++i) (sphere_[i] >= 0 ? hits_ : leaves_).push_back(i);
+  sort_out(count);
   for (std::size_t i = 0; i < leaves_.size(); i += leaf_block)
     add_environment(&leaves_[i], static_cast<int>(std::min<std::size_t>(leaf_block, leaves_.size() - i)));
   counts_.film_events += hits_.size();
@@ -87,6 +86,18 @@ void TileTransport::trace_generation() {
     event_geometry(tables_, now_, &hits_[i], in_block, distance_.data(), sphere_.data(), block);
     for (int lane = 0; lane < in_block; ++lane) film_event(block, lane);
   }
+}
+
+// Which paths meet a wall, and which leave the scene; without a branch that nobody can predict.
+void TileTransport::sort_out(std::size_t count) {
+  hits_.resize(count + 1), leaves_.resize(count + 1);
+  std::size_t hits = 0, leaves = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool hit = sphere_[i] >= 0;
+    hits_[hits] = i, leaves_[leaves] = i;
+    hits += hit, leaves += !hit;
+  }
+  hits_.resize(hits), leaves_.resize(leaves);
 }
 
 void TileTransport::add_environment(const std::uint32_t* leaves, int count) {

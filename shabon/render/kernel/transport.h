@@ -36,6 +36,7 @@ class TileTransport {
   void add_pixels(const Tile& tile, const PixelSeeds* seeds, const std::uint16_t* pixels, int count,
                   std::uint32_t first, std::uint32_t end, float weight);
   void trace_generation();
+  void sort_out(std::size_t count);
   void add_environment(const std::uint32_t* leaves, int count);
   void add_camera_leaf(std::size_t path, const LeafRays* coefficients, int lane);
   void add_leaf(std::size_t path, const LeafRays* coefficients, int lane);
