@@ -67,8 +67,7 @@ void follow(const SphereSet& set, const Spheres& spheres, Vec3d origin, Vec3d di
 
 // Rays of all kinds around `middle`: from inside and outside, along walls, from one sphere to the next.
 void expect_same_walls(const Spheres& spheres, Vec3d middle, double reach, int paths, std::uint64_t seed) {
-  const SphereSet set{Spheres(spheres)};
-  ASSERT_GT(spheres.size(), static_cast<std::size_t>(SphereSet::few));
+  const SphereSet set{Spheres(spheres), WallSearch::tree};
   ASSERT_FALSE(set.has_few());
   Pcg32 random(seed);
   Tally tally;
@@ -164,9 +163,9 @@ TEST(SphereSet, SmallSpheresBesideAWorld) {
 
 // Coincident walls are met in the order of the list, from outside and from inside.
 TEST(SphereSet, EqualDistancesGoByTheList) {
-  for (const int count : {3, 12}) {
-    const SphereSet set(Spheres(static_cast<std::size_t>(count), SphereShape{{1, 2, 3}, 2}));
-    EXPECT_EQ(set.has_few(), count <= SphereSet::few);
+  for (const WallSearch search : {WallSearch::one_by_one, WallSearch::tree}) {
+    const SphereSet set(Spheres(12, SphereShape{{1, 2, 3}, 2}), search);
+    EXPECT_EQ(set.has_few(), search == WallSearch::one_by_one);
     Pcg32 random(10);
     for (int k = 0; k < 1000; ++k) {
       const Vec3d outside = Vec3d{1, 2, 3} + random_direction(random) * 5.0;
@@ -177,12 +176,18 @@ TEST(SphereSet, EqualDistancesGoByTheList) {
   }
 }
 
+TEST(SphereSet, TheNumberDecidesHowWallsAreFound) {
+  for (const int count : {SphereSet::few, SphereSet::few + 1}) {
+    const SphereSet set(Spheres(static_cast<std::size_t>(count), SphereShape{}));
+    EXPECT_EQ(set.has_few(), count <= SphereSet::few);
+  }
+}
+
 TEST(SphereSet, AWallIsNotMetAgainWhereItIsLeft) {
-  for (const int copies : {0, 20}) {
+  for (const WallSearch search : {WallSearch::one_by_one, WallSearch::tree}) {
     Spheres spheres{{{0, 0, 0}, 1}};
-    for (int i = 0; i < copies; ++i) spheres.push_back({{100.0 + 5 * i, 0, 0}, 1});
-    const SphereSet set(spheres);
-    EXPECT_EQ(set.has_few(), copies == 0);
+    for (int i = 0; i < 20; ++i) spheres.push_back({{100.0 + 5 * i, 0, 0}, 1});
+    const SphereSet set(spheres, search);
     Pcg32 random(11);
     for (int k = 0; k < 1000; ++k) {
       const Vec3d wall = random_direction(random);
