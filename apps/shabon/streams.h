@@ -9,8 +9,9 @@ namespace shabon::app {
 
 inline constexpr int success = 0;
 
-// Call once, first. A closed pipe and a file that may not grow become errors that can be reported, and a standard stream that was closed by the
-// caller stays unwritable: without this the next opened file would take its number and receive the results.
+// Call once, first. A closed pipe and a file that may not grow become errors that can be reported, and a standard
+// stream that was closed by the caller stays unwritable: without this the next opened file would take its number and
+// receive the results.
 void guard_standard_streams();
 
 // Writes a result to standard output. Returns the exit code: 0, or 4 with a message when not everything was written.

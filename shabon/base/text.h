@@ -19,9 +19,9 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 std::optional<double> parse_number(std::string_view text);
 std::optional<long long> parse_integer(std::string_view text);
 
-std::string format_number(double value);               // shortest text that reads back as the same double
-std::string format_number(double value, int digits);   // at most `digits` significant digits
-std::string format_exact(double value);                // 17 significant digits
+std::string format_number(double value);              // shortest text that reads back as the same double
+std::string format_number(double value, int digits);  // at most `digits` significant digits
+std::string format_exact(double value);               // 17 significant digits
 
 // Text made safe to print: control characters become '?', and it is cut at `most` characters.
 std::string printable(std::string_view text, std::size_t most = 400);

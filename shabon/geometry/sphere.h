@@ -29,7 +29,8 @@ SphereRoots<T> sphere_roots(math::Vec3<T> origin, math::Vec3<T> direction, math:
   return {middle, radius * radius - dot(across, across)};
 }
 
-// The other root for a ray that starts on the sphere: exact without an epsilon. Not positive: the ray leaves the sphere.
+// The other root for a ray that starts on the sphere: exact without an epsilon. Not positive: the ray leaves the
+// sphere.
 template <class T>
 T chord(math::Vec3<T> point_on_sphere, math::Vec3<T> direction, math::Vec3<T> center) {
   return T(2.0) * dot(center - point_on_sphere, direction);

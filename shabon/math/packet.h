@@ -34,7 +34,7 @@ inline constexpr int register_bytes = 16;
 #endif
 
 template <class T, int N>
-inline constexpr bool fits_register = N * static_cast<int>(sizeof(T)) <= register_bytes;
+inline constexpr bool fits_register = N* static_cast<int>(sizeof(T)) <= register_bytes;
 
 template <class T>
 using mask_lane = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -46,7 +46,7 @@ struct packet_mask {
 };
 
 template <class T, int N>
-  requires fits_register<T, N>
+requires fits_register<T, N>
 struct packet_mask<T, N> {
   typedef mask_lane<T> vector __attribute__((vector_size(N * sizeof(T))));
   vector v;
@@ -67,7 +67,7 @@ struct packet {
 };
 
 template <class T, int N>
-  requires fits_register<T, N>
+requires fits_register<T, N>
 struct packet<T, N> {
   static constexpr int size = N;
   typedef T vector __attribute__((vector_size(N * sizeof(T))));
@@ -95,21 +95,21 @@ template <class P>
 inline constexpr bool is_leaf = fits_register<std::remove_cvref_t<decltype(P{}[0])>, P::size>;
 
 // Arithmetic, lane by lane. The scalar overloads keep `2 * x` readable.
-#define SHABON_PACKET_BINARY(op)                                                       \
-  template <class T, int N>                                                            \
-  inline packet<T, N> operator op(packet<T, N> a, packet<T, N> b) {                    \
-    if constexpr (fits_register<T, N>)                                                 \
-      return packet<T, N>::wrap(a.v op b.v);                                                \
-    else                                                                               \
-      return {a.lo op b.lo, a.hi op b.hi};                                             \
-  }                                                                                    \
-  template <class T, int N>                                                            \
-  inline packet<T, N> operator op(packet<T, N> a, std::type_identity_t<T> b) {         \
-    return a op packet<T, N>(b);                                                       \
-  }                                                                                    \
-  template <class T, int N>                                                            \
-  inline packet<T, N> operator op(std::type_identity_t<T> a, packet<T, N> b) {         \
-    return packet<T, N>(a) op b;                                                       \
+#define SHABON_PACKET_BINARY(op)                                               \
+  template <class T, int N>                                                    \
+  inline packet<T, N> operator op(packet<T, N> a, packet<T, N> b) {            \
+    if constexpr (fits_register<T, N>)                                         \
+      return packet<T, N>::wrap(a.v op b.v);                                   \
+    else                                                                       \
+      return {a.lo op b.lo, a.hi op b.hi};                                     \
+  }                                                                            \
+  template <class T, int N>                                                    \
+  inline packet<T, N> operator op(packet<T, N> a, std::type_identity_t<T> b) { \
+    return a op packet<T, N>(b);                                               \
+  }                                                                            \
+  template <class T, int N>                                                    \
+  inline packet<T, N> operator op(std::type_identity_t<T> a, packet<T, N> b) { \
+    return packet<T, N>(a) op b;                                               \
   }
 SHABON_PACKET_BINARY(+)
 SHABON_PACKET_BINARY(-)
@@ -117,13 +117,13 @@ SHABON_PACKET_BINARY(*)
 SHABON_PACKET_BINARY(/)
 #undef SHABON_PACKET_BINARY
 
-#define SHABON_PACKET_COMPARE(op)                                                      \
-  template <class T, int N>                                                            \
-  inline packet_mask<T, N> operator op(packet<T, N> a, packet<T, N> b) {               \
-    if constexpr (fits_register<T, N>)                                                 \
-      return {a.v op b.v};                                                             \
-    else                                                                               \
-      return {a.lo op b.lo, a.hi op b.hi};                                             \
+#define SHABON_PACKET_COMPARE(op)                                        \
+  template <class T, int N>                                              \
+  inline packet_mask<T, N> operator op(packet<T, N> a, packet<T, N> b) { \
+    if constexpr (fits_register<T, N>)                                   \
+      return {a.v op b.v};                                               \
+    else                                                                 \
+      return {a.lo op b.lo, a.hi op b.hi};                               \
   }
 SHABON_PACKET_COMPARE(<)
 SHABON_PACKET_COMPARE(<=)
@@ -132,13 +132,13 @@ SHABON_PACKET_COMPARE(>=)
 SHABON_PACKET_COMPARE(==)
 #undef SHABON_PACKET_COMPARE
 
-#define SHABON_MASK_BINARY(op)                                                         \
-  template <class T, int N>                                                            \
-  inline packet_mask<T, N> operator op(packet_mask<T, N> a, packet_mask<T, N> b) {     \
-    if constexpr (fits_register<T, N>)                                                 \
-      return {a.v op b.v};                                                             \
-    else                                                                               \
-      return {a.lo op b.lo, a.hi op b.hi};                                             \
+#define SHABON_MASK_BINARY(op)                                                     \
+  template <class T, int N>                                                        \
+  inline packet_mask<T, N> operator op(packet_mask<T, N> a, packet_mask<T, N> b) { \
+    if constexpr (fits_register<T, N>)                                             \
+      return {a.v op b.v};                                                         \
+    else                                                                           \
+      return {a.lo op b.lo, a.hi op b.hi};                                         \
   }
 SHABON_MASK_BINARY(&)
 SHABON_MASK_BINARY(|)
@@ -153,10 +153,14 @@ inline packet<T, N> operator-(packet<T, N> a) {
 }
 
 template <class T, int N>
-inline packet<T, N>& operator+=(packet<T, N>& a, packet<T, N> b) { return a = a + b; }
+inline packet<T, N>& operator+=(packet<T, N>& a, packet<T, N> b) {
+  return a = a + b;
+}
 
 template <class T, int N>
-inline packet<T, N>& operator*=(packet<T, N>& a, packet<T, N> b) { return a = a * b; }
+inline packet<T, N>& operator*=(packet<T, N>& a, packet<T, N> b) {
+  return a = a * b;
+}
 
 template <class T, int N>
 inline packet<T, N> select(packet_mask<T, N> mask, packet<T, N> yes, packet<T, N> no) {
@@ -167,10 +171,14 @@ inline packet<T, N> select(packet_mask<T, N> mask, packet<T, N> yes, packet<T, N
 }
 
 template <class T, int N>
-inline packet<T, N> min(packet<T, N> a, packet<T, N> b) { return select(a < b, a, b); }
+inline packet<T, N> min(packet<T, N> a, packet<T, N> b) {
+  return select(a < b, a, b);
+}
 
 template <class T, int N>
-inline packet<T, N> max(packet<T, N> a, packet<T, N> b) { return select(a > b, a, b); }
+inline packet<T, N> max(packet<T, N> a, packet<T, N> b) {
+  return select(a > b, a, b);
+}
 
 template <class T, int N>
 inline packet<T, N> abs(packet<T, N> a) {
@@ -199,7 +207,9 @@ inline std::uint32_t bits(packet_mask<T, N> mask) {
 }
 
 template <class T, int N>
-inline bool any(packet_mask<T, N> mask) { return bits(mask) != 0; }
+inline bool any(packet_mask<T, N> mask) {
+  return bits(mask) != 0;
+}
 
 // 1/a with a relative error below 2e-7, for normal numbers whose reciprocal is normal too.
 template <int N>
@@ -221,8 +231,10 @@ inline packet<T, N> sqrt(packet<T, N> a) {
     return {sqrt(a.lo), sqrt(a.hi)};
   } else {
 #if defined(__AVX512F__)
-    if constexpr (sizeof(a) == 64 && sizeof(T) == 4) return packet<T, N>::wrap(_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
-    if constexpr (sizeof(a) == 64 && sizeof(T) == 8) return packet<T, N>::wrap(_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));
+    if constexpr (sizeof(a) == 64 && sizeof(T) == 4)
+      return packet<T, N>::wrap(_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
+    if constexpr (sizeof(a) == 64 && sizeof(T) == 8)
+      return packet<T, N>::wrap(_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));
 #endif
 #if defined(__AVX2__)
     if constexpr (sizeof(a) == 32 && sizeof(T) == 4) return packet<T, N>::wrap(_mm256_sqrt_ps((__m256)a.v));
@@ -323,8 +335,7 @@ inline packet<To, N> convert(packet<T, N> a) {
     if constexpr (fits_register<To, N>) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
       if constexpr (sizeof(To) == 4 && N == 16)
-        return packet<To, N>::wrap(_mm512_insertf32x8(
-            _mm512_castps256_ps512((__m256)low.v), (__m256)high.v, 1));
+        return packet<To, N>::wrap(_mm512_insertf32x8(_mm512_castps256_ps512((__m256)low.v), (__m256)high.v, 1));
 #endif
       return joined(low, high, std::make_integer_sequence<int, N>());
     } else {
@@ -336,7 +347,9 @@ inline packet<To, N> convert(packet<T, N> a) {
 // Double to float, for one number or a packet of them.
 inline float narrow(double value) { return static_cast<float>(value); }
 template <int N>
-inline packet<float, N> narrow(packet<double, N> value) { return convert<float>(value); }
+inline packet<float, N> narrow(packet<double, N> value) {
+  return convert<float>(value);
+}
 
 }  // namespace SHABON_REGISTERS
 }  // namespace shabon::math

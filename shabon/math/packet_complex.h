@@ -27,10 +27,14 @@ struct complex_packet {
 };
 
 template <class T, int N>
-inline complex_packet<T, N> conj(complex_packet<T, N> a) { return {a.re, -a.im}; }
+inline complex_packet<T, N> conj(complex_packet<T, N> a) {
+  return {a.re, -a.im};
+}
 
 template <class T, int N>
-inline packet<T, N> norm(complex_packet<T, N> a) { return a.re * a.re + a.im * a.im; }
+inline packet<T, N> norm(complex_packet<T, N> a) {
+  return a.re * a.re + a.im * a.im;
+}
 
 // The root in the upper half plane (Im >= 0, and Re >= 0 on the real axis): the wave that decays and runs forward.
 template <class T, int N>

@@ -43,8 +43,8 @@ double exact_sum(const color::Spectrum& lamp, std::span<const double, color::spe
   return sum;
 }
 
-// The smallest change of the weights after which every lamp comes out exactly, spread evenly over the lanes: a change in
-// proportion to the weights would leave a bias three times as large in the mean over all combs.
+// The smallest change of the weights after which every lamp comes out exactly, spread evenly over the lanes: a change
+// in proportion to the weights would leave a bias three times as large in the mean over all combs.
 void correct(Lanes& weight, const std::vector<Lanes>& lamp_lanes, const std::vector<double>& exact) {
   const std::size_t n = lamp_lanes.size();
   std::vector<std::vector<double>> normal(n, std::vector<double>(n));

@@ -14,8 +14,8 @@ namespace shabon::render {
 
 struct ProbeRay {
   math::Vec3d origin;
-  math::Vec3d direction;       // away from the eye; any length but 0
-  bool through_camera = false; // then the camera's polariser, if it has one, lies before the eye
+  math::Vec3d direction;        // away from the eye; any length but 0
+  bool through_camera = false;  // then the camera's polariser, if it has one, lies before the eye
 };
 
 // The ray through the point (x, y) of the picture, counted in pixels from its top left corner.

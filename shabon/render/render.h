@@ -12,20 +12,20 @@
 namespace shabon::render {
 
 struct RenderOptions {
-  int threads = 0;                 // 0: one per core; never changes the picture
-  ProgressReport progress;         // called between tiles
-  const StopFlag* stop = nullptr;  // when set, tiles not yet begun are left out
+  int threads = 0;                         // 0: one per core; never changes the picture
+  ProgressReport progress;                 // called between tiles
+  const StopFlag* stop = nullptr;          // when set, tiles not yet begun are left out
   std::optional<double> grey_reflectance;  // benchmarks only: every film reflects this share at every wavelength
 };
 
 struct RenderReport {
-  int samples_done = 0;              // samples that every pixel has
+  int samples_done = 0;  // samples that every pixel has
   bool interrupted = false;
   std::uint64_t camera_samples = 0;  // more than samples times pixels: those on a bubble's rim get four times as many
   std::uint64_t rays = 0;            // straight segments whose next wall was looked for
   std::uint64_t film_events = 0;
-  std::uint64_t cut_paths = 0;       // events at which max_depth passed R + T straight on, or two-beam dropped the path
-  std::uint64_t dropped_samples = 0; // contributions left out because they were not finite numbers
+  std::uint64_t cut_paths = 0;  // events at which max_depth passed R + T straight on, or two-beam dropped the path
+  std::uint64_t dropped_samples = 0;  // contributions left out because they were not finite numbers
   double seconds = 0;
 };
 

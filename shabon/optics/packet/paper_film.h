@@ -19,8 +19,7 @@ inline WallReflectance<L> wall_reflectance(D n1_squared, D n2_squared, D q1, D q
   const D plus_p = n2_squared * q1 + n1_squared * q2, minus_p = n2_squared * q1 - n1_squared * q2;
   const D over_s = D(1.0) / (plus_s * plus_s), over_p = D(1.0) / (plus_p * plus_p);
   return {math::narrow(minus_s * minus_s * over_s), math::narrow(D(4.0) * q1 * q2 * over_s),
-          math::narrow(minus_p * minus_p * over_p),
-          math::narrow(D(4.0) * n1_squared * n2_squared * q1 * q2 * over_p)};
+          math::narrow(minus_p * minus_p * over_p), math::narrow(D(4.0) * n1_squared * n2_squared * q1 * q2 * over_p)};
 }
 
 template <int N, class L>

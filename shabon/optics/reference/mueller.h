@@ -20,7 +20,7 @@ struct FilmRows {
 
 // airy: exact. two_beam: the paper's clamped wall averages (13), which leave light unpolarised. none: the passes add
 // without phase (14), while s and p of one pass keep theirs. Arguments as in airy(), incidence below 90 degrees.
-FilmRows film_rows(Interference interference, std::complex<double> n1, std::complex<double> n2,
-                   std::complex<double> n3, double thickness_nm, Incidence incidence, double wavelength_nm);
+FilmRows film_rows(Interference interference, std::complex<double> n1, std::complex<double> n2, std::complex<double> n3,
+                   double thickness_nm, Incidence incidence, double wavelength_nm);
 
 }  // namespace shabon::optics

@@ -12,17 +12,17 @@ inline namespace SHABON_REGISTERS {
 
 struct EventBlock {
   int count = 0;
-  std::uint32_t path[ray_block];          // index of the path in its generation
+  std::uint32_t path[ray_block];  // index of the path in its generation
   std::int32_t sphere[ray_block];
-  std::int16_t slot[ray_block];           // which of the films on this spot, 0 is the outermost
-  std::int16_t films[ray_block];          // on this spot
-  bool inward[ray_block];                 // the ray runs towards the centre
+  std::int16_t slot[ray_block];   // which of the films on this spot, 0 is the outermost
+  std::int16_t films[ray_block];  // on this spot
+  bool inward[ray_block];         // the ray runs towards the centre
   alignas(64) double px[ray_block], py[ray_block], pz[ray_block];
   alignas(64) double rx[ray_block], ry[ray_block], rz[ray_block];  // mirrored direction
   alignas(64) double cos_i[ray_block], thickness_nm[ray_block];
   alignas(64) double q1_squared[ray_block], q2_squared[ray_block], q2[ray_block];  // where the indices are constant
-  alignas(64) double sx[ray_block], sy[ray_block], sz[ray_block];  // s of the plane of incidence
-  float cos_2phi[ray_block], sin_2phi[ray_block];                  // from the row's frame to the plane of incidence
+  alignas(64) double sx[ray_block], sy[ray_block], sz[ray_block];                  // s of the plane of incidence
+  float cos_2phi[ray_block], sin_2phi[ray_block];  // from the row's frame to the plane of incidence
   const FilmTable* film[ray_block];
 };
 
@@ -32,7 +32,9 @@ inline math::Vec3<Rays> load3(const double* x, const double* y, const double* z)
   return {Rays::load(x), Rays::load(y), Rays::load(z)};
 }
 
-inline void store3(const math::Vec3<Rays>& v, double* x, double* y, double* z) { v.x.store(x), v.y.store(y), v.z.store(z); }
+inline void store3(const math::Vec3<Rays>& v, double* x, double* y, double* z) {
+  v.x.store(x), v.y.store(y), v.z.store(z);
+}
 
 }  // namespace detail
 
@@ -42,8 +44,8 @@ inline math::Vec3d row_axis(const SceneTables& tables, const Paths& paths, std::
   if (!state.coplanar()) return {paths.sx[i], paths.sy[i], paths.sz[i]};
   const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
   if (state.plane == PathState::any_plane) return {0, 0, 0};
-  const math::Vec3d normal =
-      math::Vec3d{paths.ox[i], paths.oy[i], paths.oz[i]} - tables.scene.spheres[static_cast<std::size_t>(state.plane)].center;
+  const math::Vec3d normal = math::Vec3d{paths.ox[i], paths.oy[i], paths.oz[i]} -
+                             tables.scene.spheres[static_cast<std::size_t>(state.plane)].center;
   const math::Vec3d s = math::cross(d, normal);
   const double size = math::length(s);
   return size > 0 ? s * (1 / size) : math::Vec3d{0, 0, 0};
@@ -102,7 +104,7 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
     const PathState& state = paths.state[block.path[lane]];
     const scene::Sphere& sphere = tables.scene.spheres[static_cast<std::size_t>(block.sphere[lane])];
     block.inward[lane] = along_lanes[lane] < 0;
-    block.slot[lane] = state.next_slot >= 0     ? state.next_slot
+    block.slot[lane] = state.next_slot >= 0 ? state.next_slot
                        : block.inward[lane] ? std::int16_t(0)
                                             : static_cast<std::int16_t>(sphere.film_count - 1);
     block.films[lane] = static_cast<std::int16_t>(sphere.film_count);

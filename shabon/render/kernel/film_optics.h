@@ -18,8 +18,8 @@ inline Powers wall_averages(const Powers& p) {
   return {reflected, reflected, transmitted, transmitted};
 }
 
-// The incoherent sum over the passes, equation (14), as Mueller blocks: the passes do not interfere with each other, but
-// s and p of one pass keep their phase.
+// The incoherent sum over the passes, equation (14), as Mueller blocks: the passes do not interfere with each other,
+// but s and p of one pass keep their phase.
 inline Mueller without_phase_mueller(const Powers& p, const Lanes& rho_sp, const Lanes& pass_sp) {
   const Lanes half(0.5f), zero(0.0f);
   const Lanes through = pass_sp / (Lanes(1.0f) - rho_sp * rho_sp);
@@ -54,8 +54,13 @@ struct Crossing {
 inline Crossing<float, double> constant_crossing(const SceneTables& tables, const EventBlock& block, int lane,
                                                  const LanesD& thickness_per_wavelength) {
   const FilmTable& film = *block.film[lane];
-  return {tables.medium_n_squared, film.n_squared, block.q1_squared[lane], block.q2_squared[lane], block.q2[lane],
-          film.indices, thickness_per_wavelength * block.q2[lane]};
+  return {tables.medium_n_squared,
+          film.n_squared,
+          block.q1_squared[lane],
+          block.q2_squared[lane],
+          block.q2[lane],
+          film.indices,
+          thickness_per_wavelength * block.q2[lane]};
 }
 
 inline Crossing<Lanes, LanesD> dispersive_crossing(const SceneTables& tables, const EventBlock& block, int lane,
@@ -76,7 +81,8 @@ optics::WallReflectance<L> wall(const Crossing<L, D>& at) {
 template <class L, class D>
 inline Powers film_powers(optics::Interference mode, const Crossing<L, D>& at) {
   if (mode == optics::Interference::airy)
-    return optics::free_film_powers(optics::free_film_factors(at.indices, at.angle()), optics::film_phase_sin2(at.cycles));
+    return optics::free_film_powers(optics::free_film_factors(at.indices, at.angle()),
+                                    optics::film_phase_sin2(at.cycles));
   if (mode == optics::Interference::two_beam)
     return wall_averages(optics::two_beam_powers(wall(at), optics::film_phase_sin2(at.cycles)));
   return optics::without_phase_powers<lane_count>(wall(at));
@@ -107,13 +113,16 @@ inline Powers event_powers(const SceneTables& tables, const EventBlock& block, i
   const auto mode = tables.scene.render.interference;
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
-    case FilmKind::constant: return film_powers(mode, constant_crossing(tables, block, lane, per_wavelength));
-    case FilmKind::dispersive: return film_powers(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
+    case FilmKind::constant:
+      return film_powers(mode, constant_crossing(tables, block, lane, per_wavelength));
+    case FilmKind::dispersive:
+      return film_powers(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
     case FilmKind::grey: {
       const Lanes R(tables.grey_reflectance), T(1 - tables.grey_reflectance);
       return {R, R, T, T};
     }
-    case FilmKind::general: break;
+    case FilmKind::general:
+      break;
   }
   const Mueller m = general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
   return {m.reflected.a + m.reflected.b, m.reflected.a - m.reflected.b, m.transmitted.a + m.transmitted.b,
@@ -126,10 +135,14 @@ inline Mueller event_mueller(const SceneTables& tables, const EventBlock& block,
   const auto mode = tables.scene.render.interference;
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
-    case FilmKind::constant: return film_mueller(mode, constant_crossing(tables, block, lane, per_wavelength));
-    case FilmKind::dispersive: return film_mueller(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
-    case FilmKind::grey: return grey_mueller(event_powers(tables, block, lane, comb));
-    case FilmKind::general: break;
+    case FilmKind::constant:
+      return film_mueller(mode, constant_crossing(tables, block, lane, per_wavelength));
+    case FilmKind::dispersive:
+      return film_mueller(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
+    case FilmKind::grey:
+      return grey_mueller(event_powers(tables, block, lane, comb));
+    case FilmKind::general:
+      break;
   }
   return general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
 }

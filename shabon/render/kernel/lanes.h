@@ -7,15 +7,15 @@
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
-using Lanes = math::packet<float, lane_count>;          // one value per wavelength
+using Lanes = math::packet<float, lane_count>;  // one value per wavelength
 using LanesD = math::packet<double, lane_count>;
 
-inline constexpr int ray_block = 8;                     // rays whose geometry is computed together, in double
+inline constexpr int ray_block = 8;  // rays whose geometry is computed together, in double
 using Rays = math::packet<double, ray_block>;
-inline constexpr int leaf_block = 16;                   // rays whose environment is looked up together
+inline constexpr int leaf_block = 16;  // rays whose environment is looked up together
 using LeafRays = math::packet<float, leaf_block>;
 
-inline constexpr int tile_size = 8;                     // pixels; a tile's sums stay in the first-level cache
+inline constexpr int tile_size = 8;  // pixels; a tile's sums stay in the first-level cache
 inline constexpr int tile_pixels = tile_size * tile_size;
 
 }  // namespace SHABON_REGISTERS

@@ -1,4 +1,5 @@
-// The next wall of every path of a generation: in ray blocks where the spheres are few, by the tree where they are many.
+// The next wall of every path of a generation: in ray blocks where the spheres are few, by the tree where they are
+// many.
 #pragma once
 
 #include "shabon/render/kernel/paths.h"
@@ -43,7 +44,8 @@ inline void next_walls(const SceneTables& tables, const Paths& paths, double* di
       double met_lanes[ray_block];
       met.store(met_lanes);
       nearest.store(distance + i);
-      for (int lane = 0; lane < ray_block; ++lane) sphere[i + static_cast<std::size_t>(lane)] = static_cast<std::int32_t>(met_lanes[lane]);
+      for (int lane = 0; lane < ray_block; ++lane)
+        sphere[i + static_cast<std::size_t>(lane)] = static_cast<std::int32_t>(met_lanes[lane]);
     }
   }
   // Films that lie on the same spot of one sphere are met without moving.

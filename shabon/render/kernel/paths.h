@@ -16,16 +16,16 @@ using Row = optics::StokesRow<lane_count>;
 // needs no rotation and is kept as its two intensities, q0 = first + second and q1 = first - second.
 struct PathState {
   std::uint32_t random = 0;
-  std::int32_t from = -1;       // the sphere whose wall the path starts on
+  std::int32_t from = -1;  // the sphere whose wall the path starts on
   std::int32_t plane = any_plane;
   std::int16_t next_slot = -1;  // film of `from` that lies on the same spot and is met next, or -1
   std::int16_t depth = 0;       // surface events so far
   std::uint16_t pixel = 0;      // within the tile
   std::uint16_t comb = 0;
-  float carried = 1;            // mean of q0 over the wavelengths
+  float carried = 1;  // mean of q0 over the wavelengths
 
-  static constexpr std::int32_t any_plane = -1;      // no event yet and unpolarised
-  static constexpr std::int32_t general_row = -2;    // row.q0..q3 in the frame of `s`
+  static constexpr std::int32_t any_plane = -1;    // no event yet and unpolarised
+  static constexpr std::int32_t general_row = -2;  // row.q0..q3 in the frame of `s`
   bool coplanar() const { return plane != general_row; }
 };
 

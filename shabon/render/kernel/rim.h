@@ -13,9 +13,9 @@
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
-inline constexpr int rim_samples = 4;             // camera samples of a rim pixel for each of another
-inline constexpr double rim_inside_pixels = 4;    // how far the rim reaches inwards,
-inline constexpr double rim_outside_pixels = 1;   // and outwards
+inline constexpr int rim_samples = 4;            // camera samples of a rim pixel for each of another
+inline constexpr double rim_inside_pixels = 4;   // how far the rim reaches inwards,
+inline constexpr double rim_outside_pixels = 1;  // and outwards
 
 // A sphere as the camera sees it, and the directions of tile middles that can have its rim in their tile.
 struct RimCone {

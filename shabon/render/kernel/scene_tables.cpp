@@ -39,7 +39,8 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, con
   } else if (!film.medium.is_constant() || !outside.is_constant()) {
     table.kind = FilmKind::dispersive;
     for (const Comb& comb : combs) {
-      table.n_squared_lanes.push_back(per_wavelength(comb, [&](double nm) { return std::norm(film.medium.index(nm)); }));
+      table.n_squared_lanes.push_back(
+          per_wavelength(comb, [&](double nm) { return std::norm(film.medium.index(nm)); }));
       table.indices_lanes.push_back(optics::free_film_indices(
           per_wavelength(comb, [&](double nm) { return std::norm(outside.index(nm)); }), table.n_squared_lanes.back()));
     }
@@ -61,8 +62,7 @@ SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey)
     CombTable table;
     table.inverse_wavelength_per_nm = LanesD(1.0) / LanesD::load(comb.wavelength_nm.data());
     table.medium_n_squared = per_wavelength(comb, [&](double nm) { return std::norm(scene.medium.index(nm)); });
-    for (std::size_t c = 0; c < 3; ++c)
-      table.weight[c] = math::convert<float>(LanesD::load(comb.weight[c].data()));
+    for (std::size_t c = 0; c < 3; ++c) table.weight[c] = math::convert<float>(LanesD::load(comb.weight[c].data()));
     combs.push_back(table);
     for (const color::Spectrum& channel : scene.environment.channels)
       channels.push_back(

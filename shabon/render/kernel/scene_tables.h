@@ -23,11 +23,11 @@ enum class FilmKind {
 struct FilmTable {
   FilmKind kind = FilmKind::constant;
   const film::ThicknessModel* thickness = nullptr;
-  double n_squared = 1;                                      // constant
-  optics::FreeFilmIndices<float> indices{};                  // constant
-  std::vector<LanesD> n_squared_lanes;                       // dispersive, per comb
-  std::vector<optics::FreeFilmIndices<Lanes>> indices_lanes; // dispersive, per comb
-  std::vector<std::array<LanesD, 2>> n_lanes;                // general, per comb: n and k
+  double n_squared = 1;                                       // constant
+  optics::FreeFilmIndices<float> indices{};                   // constant
+  std::vector<LanesD> n_squared_lanes;                        // dispersive, per comb
+  std::vector<optics::FreeFilmIndices<Lanes>> indices_lanes;  // dispersive, per comb
+  std::vector<std::array<LanesD, 2>> n_lanes;                 // general, per comb: n and k
 };
 
 struct CombTable {
@@ -41,11 +41,11 @@ struct SceneTables {
 
   const scene::Scene& scene;
   geometry::SphereSet spheres;
-  double medium_n_squared = 1;   // where the medium is constant
+  double medium_n_squared = 1;  // where the medium is constant
   std::vector<FilmTable> films;
   std::vector<CombTable> combs;
   int channel_count = 0;
-  std::vector<Lanes> channels;   // [comb * channel_count + channel]
+  std::vector<Lanes> channels;                    // [comb * channel_count + channel]
   std::vector<std::array<float, 3>> channel_xyz;  // the exact colour of a channel seen directly
   float grey_reflectance = 0;
 };

@@ -126,7 +126,8 @@ void TileTransport::add_camera_leaf(std::size_t path, const LeafRays* coefficien
   const PathState& state = now_.state[path];
   for (int k = 0; k < tables_.channel_count; ++k) {
     const float amount = state.carried * coefficients[k][lane];
-    for (std::size_t c = 0; c < 3; ++c) direct_[state.pixel][c] += amount * tables_.channel_xyz[static_cast<std::size_t>(k)][c];
+    for (std::size_t c = 0; c < 3; ++c)
+      direct_[state.pixel][c] += amount * tables_.channel_xyz[static_cast<std::size_t>(k)][c];
   }
 }
 
@@ -188,8 +189,8 @@ void TileTransport::split_in_plane(const EventBlock& block, int lane, bool paper
   const Lanes forth_s = film.T_s * s, forth_p = film.T_p * p;
   // Without loss the rest goes forth. The roulette stays unbiased whatever estimate it uses, but never with 0.
   const bool lossless = block.film[lane]->kind != FilmKind::general && !paper;
-  const float forth = lossless ? std::max(state.carried - back, least_estimate)
-                               : math::sum(forth_s + forth_p) * (1.0f / lane_count);
+  const float forth =
+      lossless ? std::max(state.carried - back, least_estimate) : math::sum(forth_s + forth_p) * (1.0f / lane_count);
   follow(block, lane, forth, false, plane, [&](std::size_t child, float scale) {
     next_.first[child] = forth_s * scale, next_.second[child] = forth_p * scale;
   });
@@ -242,7 +243,8 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
   next_.set_row(child, row);
 }
 
-// Equation (26): below the threshold a branch goes on with probability carried/threshold, and then carries the threshold.
+// Equation (26): below the threshold a branch goes on with probability carried/threshold, and then carries the
+// threshold.
 bool TileTransport::survives(float& carried, std::uint32_t random, float& scale) const {
   const auto threshold = static_cast<float>(tables_.scene.render.split_threshold);
   if (!(carried < threshold)) return true;

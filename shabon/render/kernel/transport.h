@@ -22,7 +22,8 @@ inline constexpr int two_beam_most_events = 16;
 
 class TileTransport {
  public:
-  explicit TileTransport(const SceneTables& tables) : tables_(tables), start_(tables.scene), rims_(rim_cones(tables.scene)) {}
+  explicit TileTransport(const SceneTables& tables)
+      : tables_(tables), start_(tables.scene), rims_(rim_cones(tables.scene)) {}
 
   // Adds the samples [first, end) of every pixel of the tile to its sums.
   void add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end);

@@ -6,7 +6,7 @@
 namespace shabon::scene {
 
 struct ConstantLight {
-  int channel = 0;   // index into Environment::channels
+  int channel = 0;  // index into Environment::channels
   double scale = 1;
 
   template <class T>

@@ -18,14 +18,14 @@ struct EnvironmentPicture {
   std::vector<float> texels;  // (width + 1) * height * 4
 
   const float* texel(int column, int row) const {
-    return texels.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width + 1) +
-                                static_cast<std::size_t>(column));
+    return texels.data() +
+           4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width + 1) + static_cast<std::size_t>(column));
   }
 };
 
 struct ImageLight {
   std::shared_ptr<const EnvironmentPicture> picture;
-  int first_channel = 0;    // channels first, first + 1, first + 2: the red, green and blue basis times the lamp
+  int first_channel = 0;  // channels first, first + 1, first + 2: the red, green and blue basis times the lamp
   double rotation_turns = 0;
   double scale = 1;
 
@@ -38,8 +38,7 @@ struct ImageLight {
     const T v = acos(direction.y) * T(std::numbers::inv_pi);
     T rgb[3];
     bilinear(*picture, u, v, rgb);
-    for (int c = 0; c < 3; ++c)
-      coefficients[first_channel + c] = coefficients[first_channel + c] + rgb[c] * T(scale);
+    for (int c = 0; c < 3; ++c) coefficients[first_channel + c] = coefficients[first_channel + c] + rgb[c] * T(scale);
   }
 };
 

@@ -12,15 +12,14 @@ inline double select(bool condition, double yes, double no) { return condition ?
 
 // All directions within `half_angle` of the axis.
 struct RoundSoftbox {
-  math::Vec3d axis;           // towards the lamp, unit length
+  math::Vec3d axis;  // towards the lamp, unit length
   double cos_half_angle = 1;
   int channel = 0;
   double scale = 1;
 
   template <class T>
   void add(const math::Vec3<T>& direction, T* coefficients) const {
-    const T cos_off_axis =
-        direction.x * T(axis.x) + direction.y * T(axis.y) + direction.z * T(axis.z);
+    const T cos_off_axis = direction.x * T(axis.x) + direction.y * T(axis.y) + direction.z * T(axis.z);
     const T inside = select(cos_off_axis >= T(cos_half_angle), T(scale), T(0));
     coefficients[channel] = coefficients[channel] + inside;
   }

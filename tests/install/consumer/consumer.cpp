@@ -1,4 +1,5 @@
-// What somebody else's program does: the colour of a soap film, a small picture of a bubble, then the version of the library they came from.
+// What somebody else's program does: the colour of a soap film, a small picture of a bubble, then the version of the
+// library they came from.
 #include <cmath>
 #include <complex>
 #include <cstdio>
