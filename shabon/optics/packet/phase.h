@@ -1,6 +1,7 @@
 // The film's phase for many wavelengths: formed in double, reduced, then float; equation (6).
 #pragma once
 
+#include "shabon/math/packet_convert.h"
 #include "shabon/math/packet_math.h"
 
 namespace shabon::optics {

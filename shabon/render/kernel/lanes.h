@@ -1,7 +1,7 @@
 // The packets of the render kernel: 16 wavelengths of one ray, or as many rays at once.
 #pragma once
 
-#include "shabon/math/packet.h"
+#include "shabon/math/packet_convert.h"
 #include "shabon/render/comb.h"
 
 namespace shabon::render {

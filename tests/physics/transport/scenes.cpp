@@ -17,9 +17,9 @@ scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string st
 // More bubbles than are looked at one by one.
 std::vector<scene::ObjectDesc> cluster() {
   std::vector<scene::ObjectDesc> result;
-  for (int i = 0; i < 14; ++i)
-    result.push_back(bubble({0.5 * (i % 4) - 0.8, 0.45 * (i / 4) - 0.8, 0.3 * ((i * 5) % 7) - 1.0},
-                            0.2 + 0.02 * (i % 5), "water", LinearThickness{100.0 + 20 * i, 700}));
+  for (int i = 0; i < 48; ++i)
+    result.push_back(bubble({0.4 * (i % 5) - 0.8, 0.4 * (i / 5 % 5) - 0.8, 0.3 * ((i * 5) % 7) - 1.0},
+                            0.16 + 0.02 * (i % 5), "water", LinearThickness{100.0 + 9 * i, 700}));
   return result;
 }
 

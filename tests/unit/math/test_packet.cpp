@@ -1,5 +1,6 @@
 // Every operation of packet<T, N> against the same operation on each lane alone, for all sizes: bit by bit.
 #include "shabon/math/packet.h"
+#include "shabon/math/packet_convert.h"
 
 #include <gtest/gtest.h>
 
