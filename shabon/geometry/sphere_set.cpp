@@ -94,7 +94,8 @@ struct SphereSet::Tree {
   RTCScene scene = nullptr;
 
   explicit Tree(const std::vector<SphereShape>& all) : spheres(all.data()), frame(frame_around(all)) {
-    device = rtcNewDevice("threads=1,set_affinity=0");
+    // No number of threads: Embree would limit the whole process to it for as long as the device lives.
+    device = rtcNewDevice("set_affinity=0");
     if (!device) return;
     scene = rtcNewScene(device);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);

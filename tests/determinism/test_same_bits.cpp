@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cstring>
+#include <chrono>
+#include <set>
+#include <thread>
 
 #include "shabon/render/render.h"
 #include "tests/physics/transport/scenes.h"
@@ -68,6 +70,22 @@ TEST(SameBits, for_any_number_of_threads) {
       EXPECT_EQ(one.report.film_events, many.report.film_events);
       EXPECT_EQ(one.report.rays, many.report.rays);
     }
+  }
+}
+
+// More than one thread has a part in it, also where Embree, which uses the same pool, holds the scene.
+TEST(Threads, share_the_work) {
+  for (const char* name : {"single", "cluster"}) {
+    const scene::Scene scene = scene_of(name);
+    std::set<std::thread::id> at_work;
+    render::RenderOptions options;
+    options.threads = 3;
+    options.progress = [&](double) {
+      at_work.insert(std::this_thread::get_id());
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets the others have a turn
+    };
+    rendered(scene, options);
+    EXPECT_GE(at_work.size(), 2u) << name;
   }
 }
 
