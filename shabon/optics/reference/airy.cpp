@@ -8,40 +8,14 @@
 
 #include "shabon/optics/reference/airy.h"
 
-#include <cmath>
-#include <numbers>
-
+#include "shabon/optics/reference/film_terms.h"
 #include "shabon/optics/reference/fresnel.h"
-#include "shabon/optics/reference/phase.h"
 
 namespace shabon::optics {
 
 namespace {
 
 using Complex = std::complex<double>;
-
-// The film's trigonometry, times e^(-Im beta) so that an opaque film does not overflow.
-struct FilmTerms {
-  Complex cos_beta;
-  Complex sin_beta;
-  Complex sin_beta_over_n_c;  // finite also at the critical angle, where both vanish
-  double decay;               // e^(-Im beta)
-};
-
-FilmTerms film_terms(Complex n_c, double thickness_nm, double wavelength_nm) {
-  const Passage film = passage(n_c, thickness_nm, wavelength_nm);
-  // e^(-y) cosh y and e^(-y) sinh y with y = Im beta.
-  const double scaled_cosh = (1 + std::exp(-2 * film.loss)) / 2;
-  const double scaled_sinh = -std::expm1(-2 * film.loss) / 2;
-  const double cosine = std::cos(film.phase_rad), sine = std::sin(film.phase_rad);
-  FilmTerms terms;
-  terms.cos_beta = {cosine * scaled_cosh, -sine * scaled_sinh};
-  terms.sin_beta = {sine * scaled_cosh, cosine * scaled_sinh};
-  terms.sin_beta_over_n_c =
-      n_c == 0.0 ? Complex(2 * std::numbers::pi * thickness_nm / wavelength_nm) : terms.sin_beta / n_c;
-  terms.decay = std::exp(-film.loss);
-  return terms;
-}
 
 struct FilmAmplitudes {
   Complex r, t;
