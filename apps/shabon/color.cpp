@@ -7,7 +7,8 @@
 #include "command.h"
 #include "json.h"
 #include "options.h"
-#include "shabon/api/desk.h"
+#include "shabon/desk/film_color.h"
+#include "shabon/desk/film_spectrum.h"
 #include "stack_input.h"
 #include "streams.h"
 
@@ -28,7 +29,7 @@ struct Conditions {
   double incidence_deg;
   const color::Illuminant& lamp;
   const color::Observer& observer;
-  api::Side side;
+  desk::Side side;
 };
 
 bool is_set(const char* variable) {
@@ -54,10 +55,10 @@ std::string row(std::string_view label, color::EncodedRgb colour) {
                      color::to_hex(colour), patch);
 }
 
-std::string color_text(const Conditions& conditions, const api::Color& c) {
+std::string color_text(const Conditions& conditions, const desk::Color& c) {
   std::string text = fmt::format(
       "{}\n{} at {} degrees, unpolarised, {}, lamp {}, observer {}\n\n", printable(conditions.stack.expression),
-      conditions.side == api::Side::reflected ? "reflected" : "transmitted", format_number(conditions.incidence_deg),
+      conditions.side == desk::Side::reflected ? "reflected" : "transmitted", format_number(conditions.incidence_deg),
       optics::name_of(conditions.stack.interference()), conditions.lamp.name, conditions.observer.name);
   text += row("XYZ", c.xyz.x, c.xyz.y, c.xyz.z);
   text += fmt::format("{:<14}{:>10.6f} {:>10.6f}\n", "xy", c.xy.x, c.xy.y);
@@ -68,7 +69,7 @@ std::string color_text(const Conditions& conditions, const api::Color& c) {
   return text + (c.in_gamut ? "inside sRGB\n" : "outside sRGB\n");
 }
 
-std::string color_json(const Conditions&, const api::Color& c) {
+std::string color_json(const Conditions&, const desk::Color& c) {
   JsonObject json;
   json.add("XYZ", {c.xyz.x, c.xyz.y, c.xyz.z}).add("xy", {c.xy.x, c.xy.y}).add("Lab", {c.lab.L, c.lab.a, c.lab.b});
   json.add("linear_srgb", {c.linear_srgb.r, c.linear_srgb.g, c.linear_srgb.b});
@@ -80,7 +81,7 @@ std::string color_json(const Conditions&, const api::Color& c) {
 
 struct Format {
   std::string_view name;
-  std::string (*write)(const Conditions&, const api::Color&);
+  std::string (*write)(const Conditions&, const desk::Color&);
 };
 
 constexpr Format formats[] = {{"text", color_text}, {"json", color_json}};
@@ -91,11 +92,11 @@ int run_color(const ColorOptions& options) {
 
   const Conditions conditions{options.stack, options.incidence_deg.value_or(0), color::illuminants()[options.lamp],
                               color::observers()[options.observer],
-                              options.transmitted ? api::Side::transmitted : api::Side::reflected};
-  report(api::range_warnings(*stack, std::vector<double>{color::first_nm, color::last_nm}));
-  const color::Spectrum share = api::unpolarised(
+                              options.transmitted ? desk::Side::transmitted : desk::Side::reflected};
+  report(desk::range_warnings(*stack, std::vector<double>{color::first_nm, color::last_nm}));
+  const color::Spectrum share = desk::unpolarised(
       *stack, options.stack.interference(), optics::incidence_from(Degrees(conditions.incidence_deg)), conditions.side);
-  const api::Color colour = api::color_of(share, conditions.lamp, conditions.observer);
+  const desk::Color colour = desk::color_of(share, conditions.lamp, conditions.observer);
   return print_result(formats[options.format].write(conditions, colour));
 }
 

@@ -6,7 +6,7 @@
 #include "command.h"
 #include "json.h"
 #include "options.h"
-#include "shabon/api/desk.h"
+#include "shabon/desk/film_spectrum.h"
 #include "spectrum_chart.h"
 #include "spectrum_table.h"
 #include "stack_input.h"
@@ -45,7 +45,7 @@ int run_spectrum(const SpectrumOptions& options) {
 
   const Result<optics::Stack> stack = read_stack(options.stack);
   if (!stack) return report(stack.errors());
-  report(api::range_warnings(*stack, table.wavelengths_nm));
+  report(desk::range_warnings(*stack, table.wavelengths_nm));
   fill(table, *stack);
   return print_result(formats[options.format].write(table));
 }

@@ -1,8 +1,8 @@
 #include "spectrum_table.h"
 
 #include "json.h"
-#include "shabon/api/desk.h"
 #include "shabon/base/text.h"
+#include "shabon/desk/film_spectrum.h"
 
 namespace shabon::app {
 
@@ -10,7 +10,7 @@ void fill(SpectrumTable& table, const optics::Stack& stack) {
   for (const double angle_deg : table.incidence_deg) {
     const optics::Incidence incidence = optics::incidence_from(Degrees(angle_deg));
     for (const double wavelength_nm : table.wavelengths_nm)
-      table.powers.push_back(api::stack_powers(stack, table.interference, incidence, wavelength_nm));
+      table.powers.push_back(desk::film_powers(stack, table.interference, incidence, wavelength_nm));
   }
 }
 

@@ -36,7 +36,7 @@ inline constexpr SpectrumColumn spectrum_columns[] = {
     {"A_p", [](const optics::Powers& p) { return 1 - p.R_p - p.T_p; }},
 };
 
-// Computes the powers of a stack that can be computed (api::check_computable).
+// Computes the powers of a stack that can be computed (desk::check_computable).
 void fill(SpectrumTable& table, const optics::Stack& stack);
 
 std::string spectrum_csv(const SpectrumTable& table);

@@ -1,8 +1,8 @@
 #include "stack_input.h"
 
 #include "options.h"
-#include "shabon/api/desk.h"
 #include "shabon/api/resolvers.h"
+#include "shabon/desk/film_spectrum.h"
 #include "shabon/optics/stack_expression.h"
 
 namespace shabon::app {
@@ -17,7 +17,7 @@ void add_stack_input(CLI::App& app, StackInput& input) {
 Result<optics::Stack> read_stack(const StackInput& input) {
   Result<optics::Stack> stack = optics::parse_stack(input.expression, api::medium_resolver());
   if (!stack) return stack;
-  const Status computable = api::check_computable(*stack, input.interference());
+  const Status computable = desk::check_computable(*stack, input.interference());
   if (!computable) return computable.errors();
   return stack;
 }

@@ -2,7 +2,6 @@
 // pictures, single rays).
 #pragma once
 
-#include "shabon/api/desk.h"
 #include "shabon/api/nk_file.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/api/resources.h"
@@ -19,6 +18,9 @@
 #include "shabon/color/rgb_basis.h"
 #include "shabon/color/spectrum.h"
 #include "shabon/color/xyz.h"
+#include "shabon/desk/film_color.h"
+#include "shabon/desk/film_spectrum.h"
+#include "shabon/desk/sweep.h"
 #include "shabon/film/thickness.h"
 #include "shabon/io/csv.h"
 #include "shabon/io/file.h"

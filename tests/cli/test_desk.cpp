@@ -5,10 +5,11 @@
 #include <map>
 
 #include "child.h"
-#include "shabon/api/desk.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/base/text.h"
 #include "shabon/color/illuminant.h"
+#include "shabon/color/xyz.h"
+#include "shabon/desk/film_spectrum.h"
 #include "shabon/io/csv.h"
 #include "shabon/io/yaml.h"
 #include "shabon/optics/media.h"
@@ -75,7 +76,7 @@ TEST(Spectrum, PrintsTheReferenceWithAllItsDigits) {
     EXPECT_EQ(wavelength_nm.front(), 360);
     EXPECT_EQ(wavelength_nm.back(), 830);
     for (std::size_t i = 0; i < wavelength_nm.size(); ++i) {
-      const optics::Powers powers = api::stack_powers(stack_of("1 | 1.5+0.1i 200nm | water"), model.value,
+      const optics::Powers powers = desk::film_powers(stack_of("1 | 1.5+0.1i 200nm | water"), model.value,
                                                       optics::incidence_from(Degrees(40)), wavelength_nm[i]);
       EXPECT_EQ(R_s[i], powers.R_s);
       EXPECT_EQ(T_p[i], powers.T_p);
@@ -86,7 +87,7 @@ TEST(Spectrum, PrintsTheReferenceWithAllItsDigits) {
 
 TEST(Spectrum, WritesSeventeenDigits) {
   const optics::Powers powers =
-      api::stack_powers(stack_of(film), optics::Interference::airy, optics::incidence_from(Degrees(45)), 400);
+      desk::film_powers(stack_of(film), optics::Interference::airy, optics::incidence_from(Degrees(45)), 400);
   ASSERT_NE(format_exact(powers.T_s), format_number(powers.T_s));  // a value whose shortest form is shorter
   const std::string table = result_of({"spectrum", film, "--angle", "45", "--wavelengths", "400"});
   EXPECT_NE(table.find("," + format_exact(powers.T_s) + ","), std::string::npos) << table;

@@ -1,0 +1,58 @@
+#include "shabon/desk/film_spectrum.h"
+
+#include <algorithm>
+
+#include "shabon/optics/reference/single_film.h"
+
+namespace shabon::desk {
+
+namespace {
+
+// Whether `media[index]` was listed before.
+bool repeats(std::span<const optics::Medium> media, std::size_t index) {
+  const auto before = media.first(index);
+  return std::find(before.begin(), before.end(), media[index]) != before.end();
+}
+
+}  // namespace
+
+Status check_computable(const optics::Stack& stack, optics::Interference interference) {
+  return optics::check_single_film(stack, interference);
+}
+
+optics::Powers film_powers(const optics::Stack& stack, optics::Interference interference, optics::Incidence incidence,
+                           double wavelength_nm) {
+  return optics::single_film_powers(stack, interference, incidence, wavelength_nm);
+}
+
+Diagnostics range_warnings(const optics::Stack& stack, std::span<const double> wavelengths_nm) {
+  std::vector<optics::Medium> media{stack.incidence};
+  for (const optics::Layer& layer : stack.layers) media.push_back(layer.medium);
+  media.push_back(stack.exit);
+
+  Diagnostics warnings;
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    if (repeats(media, i)) continue;
+    if (std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(), [&](double nm) { return media[i].covers(nm); }))
+      continue;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.message = media[i].outside_range_note();
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+double unpolarised(const optics::Powers& powers, Side side) {
+  return side == Side::reflected ? (powers.R_s + powers.R_p) / 2 : (powers.T_s + powers.T_p) / 2;
+}
+
+color::Spectrum unpolarised(const optics::Stack& stack, optics::Interference interference, optics::Incidence incidence,
+                            Side side) {
+  color::Spectrum share{};
+  for (std::size_t i = 0; i < share.size(); ++i)
+    share[i] = unpolarised(film_powers(stack, interference, incidence, color::wavelength_nm(i)), side);
+  return share;
+}
+
+}  // namespace shabon::desk
