@@ -43,5 +43,16 @@ ResolvedStack reversed(const ResolvedStack& stack);
 
 // (29)-(32), all layers taken as coherent. Allocates nothing.
 Amplitudes stack_amplitudes(const ResolvedStack& stack, Incidence incidence, double wavelength_nm);
+Amplitudes stack_amplitudes(const Stack& stack, Incidence incidence, double wavelength_nm);
+
+struct StackPowers {
+  Powers powers;
+  std::vector<double> A_s, A_p;  // per layer, from the incidence side: the share of the incident power it absorbs
+};
+
+// (33)-(36): coherent layers and incoherent ones, whose reflections add as intensities. A lossless layer absorbs exactly
+// 0. With a lossless first medium R + T + all A = 1; if it absorbs, incident and reflected light also exchange energy.
+StackPowers stack_powers(const ResolvedStack& stack, Incidence incidence, double wavelength_nm);
+StackPowers stack_powers(const Stack& stack, Incidence incidence, double wavelength_nm);
 
 }  // namespace shabon::optics
