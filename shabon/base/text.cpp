@@ -124,7 +124,8 @@ std::vector<std::string> utf8_characters(std::string_view text) {
 
 std::optional<std::string> nearest_name(std::string_view given, std::span<const std::string_view> names) {
   if (given.empty() || given.size() > 64) return {};
-  const std::size_t limit = std::max<std::size_t>(1, given.size() / 3);
+  // At least one letter must be right: every name of one letter is one slip away from any other.
+  const std::size_t limit = given.size() == 1 ? 0 : std::max<std::size_t>(1, given.size() / 3);
   std::optional<std::string> best;
   std::size_t best_distance = limit + 1;
   for (std::string_view name : names) {

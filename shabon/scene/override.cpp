@@ -7,6 +7,7 @@
 #include "shabon/base/text.h"
 #include "shabon/scene/problems.h"
 #include "shabon/scene/schema.h"
+#include "shabon/scene/value.h"
 
 namespace shabon::scene {
 
@@ -84,7 +85,8 @@ YamlNode& entry_of(YamlNode& node, const Mapping& mapping, const Key& key) {
 // Follows the path down the document and its schema side by side.
 class Walk {
  public:
-  Walk(std::string_view path, YamlNode& root) : path_(path), node_(&root), mapping_(&scene_schema()) {}
+  Walk(std::string_view path, const io::YamlDocument& document, YamlNode& root)
+      : path_(path), document_(document), node_(&root), mapping_(&scene_schema()) {}
 
   Status take(const Step& step) { return step.index ? take_index(*step.index) : take_key(step.key); }
   YamlNode& node() { return *node_; }
@@ -92,35 +94,52 @@ class Walk {
  private:
   Status take_key(std::string_view name) {
     if (mapping_ == nullptr || expects_index_)
-      return refuse(path_, "'" + printable(name, 60) + "' leads nowhere: " + described_ + " has " +
+      return refuse(path_, "'" + printable(name, 60) + "' leads nowhere: " + described() + " has " +
                                (expects_index_ ? "items [0], [1], ..." : "no keys"));
     const Key* key = mapping_->find(name);
     if (key == nullptr) return refuse(path_, unknown_name("key", name, mapping_->key_names()));
     if (node_->kind != YamlNode::Kind::mapping && node_->kind != YamlNode::Kind::null)
-      return refuse(path_, "expected a mapping above '" + std::string(name) + "', got " + io::describe(*node_));
+      return wrong_above("a mapping with keys");
     node_ = &entry_of(*node_, *mapping_, *key);
     mapping_ = key->below;
+    key_ = key;
     expects_index_ = key->is_list;
-    described_ = "'" + std::string(name) + "'";
+    walked_ += (walked_.empty() ? "" : ".") + std::string(name);
     return Done{};
   }
 
   Status take_index(std::size_t index) {
+    const bool list_or_vector = key_ != nullptr && (key_->is_list || key_->type == type_text(Of<math::Vec3d>{}, {}));
+    const bool there = node_->kind != YamlNode::Kind::sequence && node_->kind != YamlNode::Kind::null;
+    if (there && list_or_vector) return wrong_above(key_->type);
     if (node_->kind != YamlNode::Kind::sequence)
-      return refuse(path_, described_ + " is not a list in the file; expected it to be set whole");
+      return refuse(path_, described() + " is not a list in the file; expected it to be set whole");
     if (index >= node_->items.size())
-      return refuse(path_, "expected an index below " + std::to_string(node_->items.size()) + " in " + described_ +
+      return refuse(path_, "expected an index below " + std::to_string(node_->items.size()) + " in " + described() +
                                ", got " + std::to_string(index));
     node_ = &node_->items[index];
     expects_index_ = false;
+    walked_ += "[" + std::to_string(index) + "]";
     return Done{};
   }
 
+  // The fault is not the path's: what stands above is wrong, and is told where it stands, as the reader does.
+  Status wrong_above(const std::string& expected) const {
+    Diagnostics errors{
+        io::diagnostic_at(document_, *node_, "expected " + expected + ", got " + io::describe(*node_), walked_)};
+    if (node_->line == 0) errors.front().source = override_source;
+    return errors;
+  }
+
+  std::string described() const { return "'" + std::string(key_->key) + "'"; }  // once a key was taken
+
   std::string_view path_;
+  const io::YamlDocument& document_;
   YamlNode* node_;
-  const Mapping* mapping_;  // of the node; null below a plain value
+  const Mapping* mapping_;    // of the node; null below a plain value
+  const Key* key_ = nullptr;  // the last one taken
   bool expects_index_ = false;
-  std::string described_;
+  std::string walked_;  // the path as far as it was followed
 };
 
 }  // namespace
@@ -136,7 +155,7 @@ Status set_value(io::YamlDocument& document, std::string_view path, std::string_
     return errors;
   }
   YamlNode root = document.root;
-  Walk walk(path, root);
+  Walk walk(path, document, root);
   for (const Step& step : *steps)
     if (Status taken = walk.take(step); !taken) return taken;
   walk.node() = std::move(parsed->root);

@@ -12,7 +12,8 @@ namespace shabon::scene {
 // override_source in place of the file name. `value` is YAML, so lists and mappings can be set whole. Keys that the
 // file leaves out are added; a key of one choice (environment.gradient, film.stack, ...) replaces those of the others.
 // Errors leave the document as it was. Failure::usage: what is no path at all; Failure::content, as for the file
-// itself: a path that leads nowhere, with the nearest known key, and a value that is no YAML.
+// itself: a path that leads nowhere, with the nearest known key, and a value that is no YAML. Where the path is right
+// but the file is not (a list where a mapping belongs), the error is that of the file, at its place.
 Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value);
 
 // The same from one text "path=value".

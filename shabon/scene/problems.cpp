@@ -41,16 +41,20 @@ Diagnostic Problems::diagnostic(const io::YamlNode* node, const Path& path, std:
 }
 
 void Problems::keep(Diagnostic diagnostic) {
-  const auto same_place = [&](const Diagnostic& flaw) {
-    return flaw.line > 0 && flaw.line == diagnostic.line && flaw.column == diagnostic.column;
+  const auto tells_it = [&](const Diagnostic& flaw) {
+    if (flaw.source != diagnostic.source) return false;
+    return flaw.line > 0 ? flaw.line == diagnostic.line && flaw.column == diagnostic.column
+                         : flaw.key == diagnostic.key && flaw.message == diagnostic.message;
   };
   const auto flaws_end = errors_.begin() + static_cast<std::ptrdiff_t>(flaws_);
-  if (!full() && std::none_of(errors_.begin(), flaws_end, same_place)) errors_.push_back(std::move(diagnostic));
+  if (!full() && std::none_of(errors_.begin(), flaws_end, tells_it)) errors_.push_back(std::move(diagnostic));
 }
 
 void Problems::adopt(const Diagnostics& flaws) {
-  for (const Diagnostic& flaw : flaws) keep(flaw);
-  flaws_ = errors_.size();
+  for (const Diagnostic& flaw : flaws) {
+    keep(flaw);
+    flaws_ = errors_.size();
+  }
 }
 
 void Problems::add(const Path& path, std::string message, Failure failure) {

@@ -26,7 +26,8 @@ class Problems {
   void add(const io::YamlNode& node, const Path& path, std::string message);
   void add_warning(const Path& path, std::string message);
 
-  // What was wrong with the text of the file itself. Other problems at the same places are only its echo.
+  // What was wrong with the text of the file itself, or with what was set from outside. Other problems at the same
+  // places are only its echo.
   void adopt(const Diagnostics& flaws);
 
   // What another room said about the text of the value, e.g. a stack expression. Its columns count from the start of

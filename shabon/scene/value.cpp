@@ -159,7 +159,7 @@ std::string type_text(Of<int>, const FieldInfo& info) {
   return only_one ? with_unit(info.range.low, info.unit) : "a whole number";
 }
 
-std::string type_text(Of<std::uint64_t>, const FieldInfo&) { return "a whole number"; }
+std::string type_text(Of<std::uint64_t>, const FieldInfo&) { return "a whole number below 2^63"; }
 std::string type_text(Of<std::string>, const FieldInfo&) { return "text"; }
 std::string type_text(Of<math::Vec3d>, const FieldInfo&) { return "three numbers [x, y, z]"; }
 
