@@ -9,6 +9,7 @@
 #include "shabon/api/version.h"
 #include "shabon/base/text.h"
 #include "streams.h"
+#include "usage_text.h"
 
 namespace shabon::app {
 
@@ -44,37 +45,17 @@ int complain(const std::string& message, const std::string& command) {
   return static_cast<int>(Failure::usage);
 }
 
-// "-.5" would be taken for an option, and "--exposure=" would take the next argument as its value.
-Action prepared(std::vector<std::string>& arguments) {
+// The text of the complaint about an argument such as "--exposure=", which would take the next one as its value;
+// otherwise empty. "-.5", which would be taken for an option, becomes "-0.5".
+std::string prepared(std::vector<std::string>& arguments) {
   for (std::string& argument : arguments) {
     if (argument == "--") break;
     if (argument.starts_with("-.") && parse_number(argument)) argument.insert(1, "0");
-    if (argument.starts_with("--") && argument.ends_with("=") && argument.find('=') + 1 == argument.size())
-      return [argument] { return complain(printable(argument, 60) + " lacks a value", ""); };
+    if (argument.starts_with("--") && argument.find('=') + 1 == argument.size())
+      return fmt::format("{}: expected a value after '=', got nothing",
+                         printable(argument.substr(0, argument.size() - 1), 60));
   }
   return {};
-}
-
-std::string unexpected(const CLI::App& app, const std::string& argument) {
-  if (argument.size() < 2 || argument[0] != '-')
-    return fmt::format("unexpected argument '{}'; an argument with blanks or '|' needs quotes",
-                       printable(argument, 60));
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options({}))
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  return unknown_name("option", argument.substr(0, argument.find('=')), known);
-}
-
-// CLI11's messages, where they can be clearer.
-std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
-  // An unknown option may leave a required argument missing: then it is the one to name.
-  const bool names_one = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
-                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  if (names_one)
-    for (const std::string& argument : app.remaining())
-      if (argument != "--") return unexpected(app, argument);
-  return error.what();
 }
 
 // After an option only the form of its value; CLI11 would add how many there are.
@@ -88,34 +69,49 @@ class HelpText : public CLI::Formatter {
 
 void add_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
 
-}  // namespace
+// --quiet=7 is no way to say --quiet.
+void refuse_values_of_flags(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_items_expected_max() == 0; }))
+    option->disable_flag_override();
+}
 
-std::span<const Command> commands() { return command_list; }
+using Actions = std::vector<std::pair<const CLI::App*, Action>>;
 
-Action chosen_action(std::vector<std::string> arguments) {
-  if (Action complaint = prepared(arguments)) return complaint;
-  CLI::App app("Shabon computes and renders the colours that light interference makes.", "shabon");
+// Adds all commands and what stands beside them.
+Actions declare_all(CLI::App& app) {
   app.footer(examples);
   app.formatter(std::make_shared<HelpText>());
   app.require_subcommand(1);
   app.set_version_flag("-V,--version", "shabon " + std::string(version()), "Print the version and exit");
   add_help(app);
-  std::vector<std::pair<CLI::App*, Action>> actions;
+  Actions actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
     add_help(*sub);
     actions.emplace_back(sub, command.declare(*sub));
+    refuse_values_of_flags(*sub);
   }
+  return actions;
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return command_list; }
+
+Action chosen_action(std::vector<std::string> arguments) {
+  CLI::App app("Shabon computes and renders the colours that light interference makes.", "shabon");
+  const Actions actions = declare_all(app);
 
   if (arguments.empty()) return [] { return complain("a command is needed", ""); };
   const std::vector<std::string_view> names = command_names();
-  const std::string& first = arguments.front();
-  if (!first.starts_with("-") && std::find(names.begin(), names.end(), first) == names.end())
+  const std::string first = arguments.front();
+  const bool is_command = std::find(names.begin(), names.end(), first) != names.end();
+  if (!first.starts_with("-") && !is_command)
     return [text = unknown_name("command", first, names)] { return complain(text, ""); };
+  const std::string name = is_command ? first : "";
+  if (const std::string text = prepared(arguments); !text.empty()) return [text, name] { return complain(text, name); };
 
-  const CLI::App* chosen = &app;
-  for (const auto& [sub, action] : actions)
-    if (sub->get_name() == first) chosen = sub;
+  const CLI::App& chosen = is_command ? *app.get_subcommand(first) : app;
   try {
     std::reverse(arguments.begin(), arguments.end());
     app.parse(std::move(arguments));
@@ -124,11 +120,10 @@ Action chosen_action(std::vector<std::string> arguments) {
   } catch (const CLI::CallForVersion& asked) {
     return [text = std::string(asked.what()) + "\n"] { return print_result(text); };
   } catch (const CLI::ParseError& error) {
-    const std::string name = chosen == &app ? "" : chosen->get_name();
-    return [text = message_of(*chosen, error), name] { return complain(text, name); };
+    return [text = usage_text(app, chosen, error), name] { return complain(text, name); };
   }
   for (const auto& [sub, action] : actions)
-    if (sub->parsed()) return action;
+    if (sub == &chosen) return action;
   return [] { return complain("a command is needed", ""); };
 }
 

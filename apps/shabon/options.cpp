@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace shabon::app {
 
 namespace {
@@ -38,10 +40,11 @@ double number_in(const std::string& option, std::string_view text, Range range, 
 
 long long integer_in(const std::string& option, std::string_view text, long long least, long long most) {
   const std::optional<long long> number = parse_integer(trim(text));
-  if (!number || *number < least || *number > most)
-    usage_error(option,
-                fmt::format("expected a whole number from {} to {}, got '{}'", least, most, printable(text, 60)));
-  return *number;
+  if (number && *number >= least && *number <= most) return *number;
+  const bool unbounded = most == std::numeric_limits<long long>::max();
+  const std::string range =
+      unbounded ? fmt::format("of at least {}, below 2^63", least) : fmt::format("from {} to {}", least, most);
+  usage_error(option, fmt::format("expected a whole number {}, got '{}'", range, printable(text, 60)));
 }
 
 std::vector<double> numbers_in(const std::string& option, const std::vector<std::string>& texts, Range range,
@@ -72,7 +75,12 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<
 
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
                       const std::string& value_name, const std::string& description) {
-  const auto read = [&target](const std::string& text) { target = text; };
+  const auto read = [&target, value_name, option = shown_name(names)](const std::string& text) {
+    // An option that stands where a value is missing.
+    if (text.starts_with("--") && text.size() > 2)
+      usage_error(option, fmt::format("expected {}, got the option '{}'", value_name, printable(text, 60)));
+    target = text;
+  };
   return app.add_option_function<std::string>(names, read, description)->type_name(value_name);
 }
 

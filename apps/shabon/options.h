@@ -21,6 +21,7 @@ namespace shabon::app {
 
 // The finite number that `text` is, or a usage error.
 double number_in(const std::string& option, std::string_view text, Range range, std::string_view unit = {});
+// The largest long long as `most` is no limit of its own and told as "below 2^63".
 long long integer_in(const std::string& option, std::string_view text, long long least, long long most);
 
 // "0,30,60": each part by number_in. Several texts are one list. At most `most_values` of them.
@@ -32,7 +33,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& names, std::optional<d
 CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<long long>& target, long long least,
                          long long most, const std::string& description);
 
-// A text, such as a name or a file.
+// A text, such as a name or a file. What looks like an option is refused; a file may still be named ./--so.
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
                       const std::string& value_name, const std::string& description);
 

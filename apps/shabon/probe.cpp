@@ -30,7 +30,7 @@ struct ProbeCommand {
 
 struct ProbedSpectrum {
   std::vector<double> wavelengths_nm, radiance;
-  color::Xyz xyz;
+  color::Xyz xyz;  // only for formats that show it
 };
 
 std::string probe_csv(const ProbedSpectrum& probed) {
@@ -51,9 +51,10 @@ std::string probe_json(const ProbedSpectrum& probed) {
 struct Format {
   std::string_view name;
   std::string (*write)(const ProbedSpectrum&);
+  bool shows_color;  // then the observer's 471 wavelengths are followed too
 };
 
-constexpr Format formats[] = {{"csv", probe_csv}, {"json", probe_json}};
+constexpr Format formats[] = {{"csv", probe_csv, false}, {"json", probe_json, true}};
 
 // The ray that the flags name. Errors: a pixel outside the picture, a direction without length.
 Result<render::ProbeRay> chosen_ray(const ProbeCommand& command, const scene::Scene& scene) {
@@ -69,16 +70,33 @@ Result<render::ProbeRay> chosen_ray(const ProbeCommand& command, const scene::Sc
   }
   // Fractions name points within a pixel; whole numbers its centre.
   const double x = command.pixel[0], y = command.pixel[1];
-  if (!(x >= -0.5 && x <= scene.width - 0.5 && y >= -0.5 && y <= scene.height - 0.5))
-    return fail(Failure::usage, fmt::format("--pixel: expected 0 0 to {} {}, got {} {}", scene.width - 1,
-                                            scene.height - 1, format_number(x), format_number(y)));
+  const double right = scene.width - 0.5, bottom = scene.height - 0.5;
+  if (!(x >= -0.5 && x <= right && y >= -0.5 && y <= bottom))
+    return fail(Failure::usage,
+                fmt::format("--pixel: expected X from -0.5 to {} and Y from -0.5 to {}, got {} {}",
+                            format_number(right), format_number(bottom), format_number(x), format_number(y)));
   return render::pixel_ray(scene, x + 0.5, y + 0.5);
 }
 
-std::vector<double> observer_wavelengths_nm() {
-  std::vector<double> wavelengths_nm;
-  for (std::size_t i = 0; i < color::spectrum_size; ++i) wavelengths_nm.push_back(color::wavelength_nm(i));
+// The asked wavelengths, followed by those of the observer where the colour is wanted: all of them in one tree.
+std::vector<double> traced_wavelengths_nm(const ProbeCommand& command) {
+  std::vector<double> wavelengths_nm = command.wavelengths_nm;
+  if (formats[command.format].shows_color)
+    for (std::size_t i = 0; i < color::spectrum_size; ++i) wavelengths_nm.push_back(color::wavelength_nm(i));
   return wavelengths_nm;
+}
+
+// What was traced as what is shown.
+ProbedSpectrum shown(const ProbeCommand& command, std::vector<double> radiance) {
+  ProbedSpectrum probed{command.wavelengths_nm, std::move(radiance), {}};
+  const std::size_t asked = command.wavelengths_nm.size();
+  if (formats[command.format].shows_color) {
+    color::Spectrum spectrum;
+    std::copy(probed.radiance.begin() + static_cast<std::ptrdiff_t>(asked), probed.radiance.end(), spectrum.begin());
+    probed.xyz = color::radiance_to_xyz(spectrum);
+  }
+  probed.radiance.resize(asked);
+  return probed;
 }
 
 int run_probe(const ProbeCommand& command) {
@@ -89,19 +107,9 @@ int run_probe(const ProbeCommand& command) {
   const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
   if (!ray) return report(ray.errors());
 
-  // The asked wavelengths and those of the observer in one tree.
-  std::vector<double> wavelengths_nm = command.wavelengths_nm;
-  const std::size_t asked = wavelengths_nm.size();
-  for (const double nm : observer_wavelengths_nm()) wavelengths_nm.push_back(nm);
-  const Result<render::ProbeResult> result = render::probe(loaded->scene, *ray, wavelengths_nm);
+  const Result<render::ProbeResult> result = render::probe(loaded->scene, *ray, traced_wavelengths_nm(command));
   if (!result) return report(result.errors());
-
-  ProbedSpectrum probed{command.wavelengths_nm, result->radiance, {}};
-  color::Spectrum spectrum;
-  std::copy(probed.radiance.begin() + static_cast<std::ptrdiff_t>(asked), probed.radiance.end(), spectrum.begin());
-  probed.radiance.resize(asked);
-  probed.xyz = color::radiance_to_xyz(spectrum);
-  return print_result(formats[command.format].write(probed));
+  return print_result(formats[command.format].write(shown(command, result->radiance)));
 }
 
 }  // namespace
@@ -110,14 +118,16 @@ Action declare_probe(CLI::App& app) {
   const auto command = std::make_shared<ProbeCommand>();
   add_scene_input(app, command->scene);
   CLI::Option* pixel =
-      add_tuple(app, "--pixel", command->pixel, 2, "X Y", "Along the centre of a pixel, counted from the top left");
+      add_tuple(app, "--pixel", command->pixel, 2, "X Y",
+                "Through the centre of pixel X Y, counted from 0 0 at the top left; fractions lie between the centres, "
+                "from -0.5 -0.5 to the other corner");
   add_tuple(app, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "From a point in a direction; no polariser")
       ->excludes(pixel);
   add_wavelengths(app, command->wavelengths_nm, "380:780:5", {.low = color::first_nm, .high = color::last_nm});
   add_choice(app, "--format", command->format, formats, "Form of the output");
   app.footer(
       R"(Radiance is per nm, scaled so that its sum with the observer's ybar over 360..830 nm at 1 nm is Y; a lamp of scale 1
-seen directly has Y = 1. XYZ and linear_srgb of the JSON are sums over that whole range. Pixels may have fractions.
+seen directly has Y = 1. XYZ and linear_srgb of the JSON are sums over that whole range.
 
 Examples:
   shabon probe --pixel 400 300

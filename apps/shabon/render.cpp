@@ -47,17 +47,19 @@ Status check_files(const RenderCommand& command, const std::vector<PictureFile>&
   return check_outputs(outputs, loaded.files_read);
 }
 
-// Writes what it can; the exit code of the first failure.
-int write_pictures(const RenderCommand& command, const std::vector<PictureFile>& pictures, const LoadedScene& loaded,
-                   const render::RenderReport& done, const render::Sensor& sensor) {
+// Writes what it can: a file that fails costs no other, least of all a picture. The exit code of the first failure.
+int write_outputs(const RenderCommand& command, const std::vector<PictureFile>& pictures, const LoadedScene& loaded,
+                  const render::RenderReport& done, const render::Sensor& sensor) {
   int code = success;
+  std::vector<std::string> kept;
   const auto note = [&](const std::filesystem::path& path, const Status& written, const std::string& what) {
-    if (!written && code == success)
-      code = report(written.errors());
-    else if (!written)
-      report(written.errors());
-    else if (!command.quiet)
-      say(fmt::format("wrote {}{}", printable(path.string()), what));
+    if (!written) {
+      const int failed = report(written.errors());
+      code = code == success ? failed : code;
+      return;
+    }
+    kept.push_back(printable(path.string()));
+    if (!command.quiet) say(fmt::format("wrote {}{}", kept.back(), what));
   };
   const io::Metadata metadata = picture_metadata(loaded, command.scene.overrides, done);
   const std::string size = fmt::format(": {} x {}, {} samples a pixel, {:.1f} s", sensor.width(), sensor.height(),
@@ -65,6 +67,7 @@ int write_pictures(const RenderCommand& command, const std::vector<PictureFile>&
   for (const PictureFile& picture : pictures)
     note(picture.path, picture.kind->write(picture.path, sensor, command.exposure_ev.value_or(0), metadata), size);
   if (command.stats) note(*command.stats, io::write_file_atomically(*command.stats, stats_json(loaded, done)), "");
+  if (code != success && !kept.empty()) say(fmt::format("complete in spite of this: {}", fmt::join(kept, ", ")));
   return code;
 }
 
@@ -94,7 +97,7 @@ int run_render(const RenderCommand& command) {
   }
   report(render_warnings(*done));
   if (done->interrupted) say(interruption_message(sensor));
-  const int code = write_pictures(command, *pictures, *loaded, *done, sensor);
+  const int code = write_outputs(command, *pictures, *loaded, *done, sensor);
   return code == success && done->interrupted ? interrupt.exit_code() : code;
 }
 
@@ -115,6 +118,7 @@ Action declare_render(CLI::App& app) {
   app.footer(
       R"(PNG is sRGB; colours outside it are mapped into it, keeping hue and lightness. EXR is linear sRGB, unclipped and
 without exposure. Flags win over --set, and --set over the file. An interrupted render (Ctrl-C) writes what it has.
+When one of several files cannot be written, the others still are, and the exit code is 4.
 
 Examples:
   shabon render

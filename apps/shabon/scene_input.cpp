@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "options.h"
 #include "shabon/api/resources.h"
 #include "shabon/io/file.h"
@@ -21,7 +23,7 @@ void read_size(SceneInput& input, const std::string& text) {
   const std::string option = "--size";
   const std::string size = lower(text);
   const std::vector<std::string_view> sides = split(size, 'x');
-  if (sides.size() != 2)
+  if (sides.size() != 2 || !parse_integer(trim(sides[0])) || !parse_integer(trim(sides[1])))
     usage_error(option, fmt::format("expected WxH such as 800x600, got '{}'", printable(text, 60)));
   const auto side = [&](std::string_view digits) {
     return integer_in(option, digits, static_cast<long long>(scene::side_range.low),
@@ -29,7 +31,7 @@ void read_size(SceneInput& input, const std::string& text) {
   };
   const long long width = side(sides[0]), height = side(sides[1]);
   if (static_cast<double>(width) * static_cast<double>(height) > scene::most_pixels)
-    usage_error(option, fmt::format("at most {} pixels", scene::most_pixels));
+    usage_error(option, fmt::format("expected at most 2^28 pixels, got {}", width * height));
   input.flags.push_back(fmt::format("image.width={}", width));
   input.flags.push_back(fmt::format("image.height={}", height));
 }
@@ -56,11 +58,9 @@ void add_scene_input(CLI::App& app, SceneInput& input) {
 
 void add_scene_integer(CLI::App& app, SceneInput& input, const std::string& names, const std::string& path, Range range,
                        const std::string& description) {
-  const auto limit = [](double value) {
-    constexpr double most = 9223372036854774784.0;  // the largest double that a long long holds
-    return static_cast<long long>(std::min(value, most));
-  };
-  const auto read = [&input, names, path, least = limit(range.low), most = limit(range.high)](const std::string& text) {
+  const auto least = static_cast<long long>(range.low);
+  const auto most = range.has_high() ? static_cast<long long>(range.high) : std::numeric_limits<long long>::max();
+  const auto read = [&input, names, path, least, most](const std::string& text) {
     input.flags.push_back(fmt::format("{}={}", path, integer_in(names, text, least, most)));
   };
   app.add_option_function<std::string>(names, read, description)->type_name("N");

@@ -28,6 +28,10 @@ int open_output(const Setting& setting, const fs::path& kept) {
   return ends[1];
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 [[noreturn]] void become_program(const std::vector<std::string>& arguments, const Setting& setting, int out, int err) {
   ::signal(SIGPIPE, SIG_DFL);
   ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
@@ -63,8 +67,10 @@ Outcome run(const std::vector<std::string>& arguments, const Setting& setting) {
     ::kill(child, signal_number);
   }
   int status = 0;
-  ::waitpid(child, &status, 0);
+  rusage used{};
+  ::wait4(child, &status, 0, &used);
   Outcome outcome;
+  outcome.processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   outcome.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   outcome.out = read_all(out_file);
   outcome.err = read_all(err_file);

@@ -13,6 +13,7 @@ namespace shabon::test {
 struct Outcome {
   int exit_code = -1;  // 128 + the signal when one ended it
   std::string out, err;
+  double processor_seconds = 0;  // of the program, whatever the clock says
 };
 
 struct Setting {

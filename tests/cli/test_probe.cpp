@@ -91,6 +91,20 @@ TEST_F(Probe, JsonHasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(json_numbers(arguments, "radiance"), column(csv, "radiance"));
 }
 
+// A spectrum without a colour needs no more than the wavelengths asked for; the colour needs 471 more.
+TEST_F(Probe, FollowsOnlyTheWavelengthsAskedFor) {
+  folder.write("bubbles.yaml",
+               lamp_scene + "  - bubble: {radius: 0.8, film: {medium: water, thickness: {constant_nm: 400}}}\n");
+  const auto seconds = [&](const std::string& format) {
+    const Outcome outcome = probe({"bubbles.yaml", "--pixel", "12", "6", "--wavelengths", "500", "--format", format});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.processor_seconds;
+  };
+  const double with_color = seconds("json");
+  ASSERT_GT(with_color, 0.05) << "too short to compare";
+  EXPECT_LT(seconds("csv"), with_color / 3);
+}
+
 TEST_F(Probe, SumsTheWholeRangeForXyz) {
   const Names arguments = {"even.yaml", "--pixel", "10", "5", "--format", "json", "--wavelengths", "500"};
   EXPECT_EQ(json_numbers(arguments, "radiance").size(), 1u);
@@ -149,8 +163,12 @@ const std::vector<Refusal> refusals = {
     {{"even.yaml", "--pixel", "1", "1", "--ray", "0", "0", "5", "0", "0", "-1"}, 2, ""},
     {{"even.yaml", "--pixel", "1"}, 2, "--pixel"},
     {{"even.yaml", "--pixel", "1", "2", "3"}, 2, "unexpected argument '3'"},
-    {{"even.yaml", "--pixel", "21", "0"}, 2, "expected 0 0 to 20 10"},
-    {{"even.yaml", "--pixel", "0", "-1"}, 2, "expected 0 0 to 20 10"},
+    {{"even.yaml", "--pixel", "21", "0"}, 2, "expected X from -0.5 to 20.5 and Y from -0.5 to 10.5, got 21 0"},
+    {{"even.yaml", "--pixel", "0", "-1"}, 2, "expected X from -0.5 to 20.5 and Y from -0.5 to 10.5, got 0 -1"},
+    {{"even.yaml", "--pixel", "-.5", "-.5"}, 0, ""},
+    {{"even.yaml", "--pixel", "20.5", "10.5"}, 0, ""},
+    {{"even.yaml", "--pixel", "20.5", "10.51"}, 2, "got 20.5 10.51"},
+    {{"even.yaml", "--pixel", "-.51", "0"}, 2, "got -0.51 0"},
     {{"even.yaml", "--pixel", "a", "0"}, 2, "got 'a'"},
     {{"even.yaml", "--ray", "0", "0", "5", "0", "0", "0"}, 2, "direction"},
     {{"even.yaml", "--ray", "0", "0", "5", "0", "0", "nan"}, 2, "got 'nan'"},

@@ -165,7 +165,8 @@ const std::vector<Refusal> refusals = {
     {{"scene.yaml", "--threads", "0"}, 2, "--threads"},
     {{"scene.yaml", "--size", "24"}, 2, "expected WxH"},
     {{"scene.yaml", "--size", "0x16"}, 2, "--size"},
-    {{"scene.yaml", "--size", "65536x65536"}, 2, "at most"},
+    {{"scene.yaml", "--size", "65536x65536"}, 2, "at most 2^28 pixels"},
+    {{"list.yaml", "--size", "8x8", "--samples", "1"}, 3, "list.yaml:1:1: error: expected a mapping with keys"},
     {{"scene.yaml", "--exposure", "inf"}, 2, "--exposure"},
     {{"scene.yaml", "--exposure", "1e9"}, 2, "--exposure"},
     {{"scene.yaml", "--interference", "thin"}, 2, "unknown value 'thin'"},
@@ -187,6 +188,7 @@ const std::vector<Refusal> refusals = {
 
 TEST_F(Render, RefusesWithTheRightCodeAndWritesNothing) {
   const std::string environment = "shabon: 1\nenvironment: {image: {file: ";
+  folder.write("list.yaml", "- shabon: 1\n");
   folder.write("wrong.yaml", "shabon: 1, camera: [\n");
   folder.write("no-picture.yaml", environment + "missing.hdr}}\nobjects: []\n");
   folder.write("truncated.yaml", environment + "cut.exr}}\nobjects: []\n");
@@ -229,6 +231,21 @@ TEST_F(Render, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
   }
   EXPECT_EQ(folder.files(), (Names{"kept.png", "scene.yaml"}));
   EXPECT_EQ(read_all(folder.path() / "kept.png"), before);
+}
+
+// A picture may have taken hours; that another file cannot be written is no reason to lose it.
+TEST_F(Render, KeepsThePictureWhenTheStatisticsCannotBeWritten) {
+  for (const Names& quiet : {Names{}, Names{"--quiet"}}) {
+    Names arguments = {"scene.yaml", "-o", "new.png", "--stats", "/dev/full"};
+    arguments.insert(arguments.end(), quiet.begin(), quiet.end());
+    const Outcome outcome = render(arguments);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("/dev/full: error: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("complete in spite of this: new.png"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(io::read_png(folder.path() / "new.png").ok());
+    EXPECT_TRUE(std::filesystem::remove(folder.path() / "new.png"));
+  }
+  EXPECT_NE(run({"render", "--help"}).out.find("the others still are"), std::string::npos);
 }
 
 TEST_F(Render, KeepsWhatIsFinishedWhenInterrupted) {

@@ -28,16 +28,18 @@ const std::vector<Case> usage_errors = {
     {{"spectrm", film}, 2, "did you mean 'spectrum'?"},
     {{"xyzzy"}, 2, "unknown command 'xyzzy'"},
     {{"--colour"}, 2, "--colour"},
-    {{"spectrum"}, 2, "STACK"},
+    {{"--quiet", "render"}, 2, "the options of a command stand after its name"},
+    {{"spectrum"}, 2, "expected STACK: Stack expression, such as 'air | water 300nm | air'"},
     {{"spectrum", film, "--angel", "3"}, 2, "did you mean '--angle'?"},
     {{"spectrum", "air", "|", "water"}, 2, "needs quotes"},
-    {{"spectrum", film, "--angle"}, 2, "--angle"},
+    {{"spectrum", film, "--", "--angle", "3"}, 2, "--angle stands after '--', where no option is"},
+    {{"spectrum", film, "--angle"}, 2, "--angle: expected LIST after it, got nothing"},
     {{"spectrum", film, "--angle", "90.001"}, 2, "expected a number from 0 to 90 degrees, got '90.001'"},
     {{"spectrum", film, "--angle", "-.5"}, 2, "got '-0.5'"},
     {{"spectrum", film, "--angle", "0,30,x"}, 2, "got 'x'"},
     {{"spectrum", film, "--angle", "nan"}, 2, "got 'nan'"},
     {{"spectrum", film, "--angle", ""}, 2, "got ''"},
-    {{"spectrum", film, "--angle="}, 2, "--angle= lacks a value"},
+    {{"spectrum", film, "--angle="}, 2, "--angle: expected a value after '=', got nothing"},
     {{"spectrum", film, "--angle", "0x10"}, 2, "got '0x10'"},
     {{"spectrum", film, "--angle", "45,5 "}, 0, ""},
     {{"spectrum", film, "--wavelengths", "360:830"}, 2, "A:B:STEP"},
@@ -51,16 +53,32 @@ const std::vector<Case> usage_errors = {
       "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21"},
      2,
      "at most"},
-    {{"spectrum", film, "--wavelengths", "400", "--wavelengths", "500"}, 2, "--wavelengths"},
+    {{"spectrum", film, "--wavelengths", "400", "--wavelengths", "500"},
+     2,
+     "--wavelengths: expected LIST once, got '400' and '500'"},
     {{"spectrum", film, "--format", "xml"}, 2, "unknown value 'xml'; known: csv, json, svg"},
     {{"spectrum", film, "--interference", "airi"}, 2, "did you mean 'airy'?"},
     {{"color", film, "--illuminant", "D56"}, 2, "unknown value 'D56'"},
+    {{"color", film, "--illuminant", "Q"}, 2, "'Q'; known: "},
     {{"color", film, "--observer", "1924"}, 2, "unknown value '1924'"},
     {{"color", film, "--angle", "91"}, 2, "0 to 90 degrees"},
     {{"color", film, "extra"}, 2, "unexpected argument 'extra'"},
     {{"color", film, "--format", "csv"}, 2, "unknown value 'csv'"},
     {{"media", "--format", "svg"}, 2, "unknown value 'svg'"},
     {{"lamps", "extra"}, 2, "unexpected argument 'extra'"},
+    {{"probe", "--pixel"}, 2, "--pixel: expected X Y after it, got nothing"},
+    {{"probe", "--pixel", "1"}, 2, "--pixel: expected X Y, got only '1'"},
+    {{"probe", "--pixel", "1", "2", "--pixel", "3"}, 2, "--pixel: expected X Y once, got '1', '2' and '3'"},
+    {{"probe", "--pixel", "1", "1", "--ray", "0", "0", "5", "0", "0", "-1"},
+     2,
+     "expected only one of --pixel and --ray, got both"},
+    {{"render", "--quiet=7"}, 2, "--quiet: expected no value"},
+    {{"render", "--stats", "--quiet"}, 2, "--stats: expected FILE.json, got the option '--quiet'"},
+    {{"render", "--set"}, 2, "--set: expected PATH=VALUE after it, got nothing"},
+    {{"render", "--seed", "9223372036854775808"}, 2, "expected a whole number of at least 0, below 2^63"},
+    {{"render", "--threads", "1.5"}, 2, "expected a whole number from 1 to 1024, got '1.5'"},
+    {{"render", "--size", "3x"}, 2, "expected WxH such as 800x600, got '3x'"},
+    {{"render", "--size", "65536x65536"}, 2, "expected at most 2^28 pixels, got 4294967296"},
 };
 
 TEST(Usage, WrongFlagsEndWithTwo) {
@@ -74,8 +92,19 @@ TEST(Usage, WrongFlagsEndWithTwo) {
   }
 }
 
+// What the parser of arguments says by itself names neither what came nor what was expected.
+TEST(Usage, NoMessageIsThatOfTheParser) {
+  const std::vector<std::string> words = {"required", "missing",       "excludes",  "At Most",  "At least",
+                                          "Expected", "were expected", "Could not", "override", "cannot be understood"};
+  for (const Case& c : usage_errors) {
+    const std::string said = run(c.arguments).err;
+    for (const std::string& word : words) EXPECT_EQ(said.find(word), std::string::npos) << shown(c.arguments) << said;
+  }
+}
+
 TEST(Usage, WrongFlagsNameTheHelpOfTheirCommand) {
   EXPECT_NE(run({"color", film, "--angle", "91"}).err.find("'shabon color --help'"), std::string::npos);
+  EXPECT_NE(run({"color", film, "--angle="}).err.find("'shabon color --help'"), std::string::npos);
 }
 
 const std::vector<Case> content_errors = {
