@@ -1,33 +1,31 @@
 #include "shabon/optics/media.h"
 
-#include <array>
+#include <algorithm>
+#include <string>
+#include <utility>
 
 #include "shabon/base/text.h"
+#include "shabon/optics/media_list.h"
 
 namespace shabon::optics {
 
 namespace {
 
-// Daimon and Masumura 2007, table 2, 20.0 C; formula 2 of refractiveindex.info (main/H2O/nk/Daimon-20.0C).
-Medium water() {
-  return Medium::formula({2,
-                          {0.0, 0.5684027565, 0.005101829712, 0.1726177391, 0.01821153936, 0.02086189578, 0.02620722293,
-                           0.1130748688, 10.69792721}},
-                         {182, 1129},
-                         {"water", "distilled water at 20.0 C",
-                          "M. Daimon, A. Masumura, Measurement of the refractive index of distilled water from the "
-                          "near-infrared region to the ultraviolet region, Appl. Opt. 46, 3811-3820 (2007); "
-                          "coefficients through refractiveindex.info (CC0)"});
+constexpr std::size_t named_when_unknown = 8;  // of those known
+constexpr std::size_t most_shown = 60;         // characters of an unknown name
+
+const MediumEntry* find_entry(std::string_view name) {
+  for (const MediumEntry& entry : media_library()) {
+    const auto named = [&](std::string_view known) { return same_name(known, name); };
+    if (named(entry.name) || std::any_of(entry.aliases.begin(), entry.aliases.end(), named)) return &entry;
+  }
+  return nullptr;
 }
 
 }  // namespace
 
 std::span<const MediumEntry> media_library() {
-  static const std::array<MediumEntry, 3> library = {{
-      {"vacuum", Medium()},
-      {"air", Medium::constant(1, {"air", "air as an ideal, index exactly 1", "by convention"})},
-      {"water", water()},
-  }};
+  static const std::vector<MediumEntry> library = make_media_list();
   return library;
 }
 
@@ -38,14 +36,20 @@ std::vector<std::string_view> media_names() {
 }
 
 std::optional<Medium> find_medium(std::string_view name) {
-  for (const MediumEntry& entry : media_library())
-    if (same_name(entry.name, name)) return entry.medium;
+  if (const MediumEntry* entry = find_entry(name)) return entry->medium;
   return {};
 }
 
 Result<Medium> medium_named(std::string_view name) {
-  if (const auto medium = find_medium(name)) return *medium;
-  return fail(Failure::content, unknown_name("medium", name, media_names()));
+  if (const MediumEntry* entry = find_entry(name)) return entry->medium;
+  std::vector<std::string_view> known = media_names();
+  for (const MediumEntry& entry : media_library())
+    known.insert(known.end(), entry.aliases.begin(), entry.aliases.end());
+  if (nearest_name(name, known)) return fail(Failure::content, unknown_name("medium", name, known));
+  std::string message = "unknown medium '" + printable(name, most_shown) + "'; known:";
+  for (std::size_t i = 0; i < named_when_unknown; ++i) message += (i ? ", " : " ") + std::string(known[i]);
+  message += " and " + std::to_string(media_library().size() - named_when_unknown) + " more";
+  return fail(Failure::content, std::move(message));
 }
 
 }  // namespace shabon::optics

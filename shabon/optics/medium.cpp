@@ -1,83 +1,48 @@
 #include "shabon/optics/medium.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
 #include "shabon/base/text.h"
+#include "shabon/optics/medium_index.h"
+#include "shabon/optics/range_note.h"
 
 namespace shabon::optics {
 
+struct Medium::Content {
+  MediumDescription description;
+  MediumIndex index;
+};
+
 namespace {
 
-struct ConstantIndex {
-  std::complex<double> index;
-  friend bool operator==(const ConstantIndex&, const ConstantIndex&) = default;
-};
-
-struct FormulaIndex {
-  DispersionFormula formula;
-  WavelengthRange range;
-  friend bool operator==(const FormulaIndex&, const FormulaIndex&) = default;
-};
-
-struct TableIndex {
-  std::vector<IndexSample> rows;
-  friend bool operator==(const TableIndex&, const TableIndex&) = default;
-};
-
-std::complex<double> index_at(const ConstantIndex& constant, double) { return constant.index; }
-
-std::complex<double> index_at(const FormulaIndex& formula, double wavelength_nm) {
-  const double first_nm = std::min(formula.range.first_nm, rendered_range_nm.first_nm);
-  const double last_nm = std::max(formula.range.last_nm, rendered_range_nm.last_nm);
-  return formula.formula.index(std::clamp(wavelength_nm, first_nm, last_nm));
-}
-
-std::complex<double> index_at(const TableIndex& table, double wavelength_nm) {
-  const std::vector<IndexSample>& rows = table.rows;
-  const auto above = std::upper_bound(rows.begin(), rows.end(), wavelength_nm,
-                                      [](double nm, const IndexSample& row) { return nm < row.wavelength_nm; });
-  if (above == rows.begin()) return {rows.front().n, rows.front().k};
-  if (above == rows.end()) return {rows.back().n, rows.back().k};
-  const IndexSample &low = above[-1], &high = above[0];
-  const double share = (wavelength_nm - low.wavelength_nm) / (high.wavelength_nm - low.wavelength_nm);
-  return {std::lerp(low.n, high.n, share), std::lerp(low.k, high.k, share)};
-}
-
-std::optional<WavelengthRange> range_of(const ConstantIndex&) { return {}; }
-std::optional<WavelengthRange> range_of(const FormulaIndex& formula) { return formula.range; }
-std::optional<WavelengthRange> range_of(const TableIndex& table) {
-  return WavelengthRange{table.rows.front().wavelength_nm, table.rows.back().wavelength_nm};
-}
-
-bool lossless(const ConstantIndex& constant) { return constant.index.imag() == 0; }
-bool lossless(const FormulaIndex&) { return true; }
-bool lossless(const TableIndex& table) {
-  return std::all_of(table.rows.begin(), table.rows.end(), [](const IndexSample& row) { return row.k == 0; });
-}
-
-// What is wrong with a row that follows the wavelength `previous_nm`; empty when nothing is.
-std::string row_problem(const IndexSample& row, double previous_nm) {
-  if (!std::isfinite(row.wavelength_nm) || !std::isfinite(row.n) || !std::isfinite(row.k))
-    return "expected finite numbers";
-  if (row.wavelength_nm <= 0) return "expected a wavelength > 0 nm, got " + format_number(row.wavelength_nm);
-  if (row.wavelength_nm <= previous_nm)
-    return "expected rising wavelengths, got " + format_number(row.wavelength_nm) + " nm after " +
-           format_number(previous_nm) + " nm";
-  if (row.n < 0) return "expected n >= 0, got " + format_number(row.n);
-  if (row.k < 0) return "expected k >= 0 (n + ik absorbs), got " + format_number(row.k);
-  if (row.n == 0 && row.k == 0) return "expected an index other than 0";
-  return {};
+// A medium of its own has one source; a mixture is told part by part.
+template <class Asked>
+std::string note_of(const Medium& medium, const MediumIndex& index, const Asked& asked) {
+  const auto range = medium.range_nm();
+  if (!range) return {};
+  if (const auto* mixture = std::get_if<MixtureIndex>(&index)) {
+    std::string text;
+    for (const MixturePart& part : mixture->parts) {
+      const std::string note = part.medium.outside_range_note(asked);
+      if (!note.empty()) text += (text.empty() ? medium.name() + ": " : ", and ") + note;
+    }
+    return text;
+  }
+  const AskedOutside outside = asked_outside(*range, asked);
+  if (!outside.below && !outside.above) return {};
+  std::string text = medium.name() + ": its source covers " + format_number(range->first_nm, 6) + ".." +
+                     format_number(range->last_nm, 6) + " nm";
+  const auto add = [&](const auto& form) {
+    if (outside.below) text += "; " + note_below(form, *outside.below);
+    if (outside.above) text += "; " + note_above(form, *outside.above);
+  };
+  if (const auto* formula = std::get_if<FormulaIndex>(&index)) add(*formula);
+  if (const auto* table = std::get_if<TableIndex>(&index)) add(*table);
+  return text;
 }
 
 }  // namespace
-
-struct Medium::Content {
-  MediumDescription description;
-  std::variant<ConstantIndex, FormulaIndex, TableIndex> index;
-};
 
 Medium::Medium(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
@@ -96,20 +61,23 @@ Medium Medium::constant(std::complex<double> index, MediumDescription descriptio
   return Medium(std::make_shared<const Content>(Content{std::move(description), ConstantIndex{index}}));
 }
 
-Medium Medium::formula(DispersionFormula formula, WavelengthRange range, MediumDescription description) {
-  return Medium(
-      std::make_shared<const Content>(Content{std::move(description), FormulaIndex{std::move(formula), range}}));
+Result<Medium> Medium::formula(DispersionFormula formula, WavelengthRange range, MediumDescription description,
+                               std::vector<AbsorptionSample> absorption) {
+  Result<FormulaIndex> index = formula_index(std::move(formula), range, std::move(absorption));
+  if (!index) return index.errors();
+  return Medium(std::make_shared<const Content>(Content{std::move(description), std::move(*index)}));
 }
 
 Result<Medium> Medium::table(std::vector<IndexSample> rows, MediumDescription description) {
-  if (rows.empty()) return fail(Failure::content, "expected at least one row of wavelength, n and k");
-  double previous_nm = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string problem = row_problem(rows[i], previous_nm);
-    if (!problem.empty()) return fail(Failure::content, "row " + std::to_string(i + 1) + ": " + problem);
-    previous_nm = rows[i].wavelength_nm;
-  }
-  return Medium(std::make_shared<const Content>(Content{std::move(description), TableIndex{std::move(rows)}}));
+  Result<TableIndex> index = table_index(std::move(rows));
+  if (!index) return index.errors();
+  return Medium(std::make_shared<const Content>(Content{std::move(description), std::move(*index)}));
+}
+
+Result<Medium> Medium::mixture(std::vector<MixturePart> parts, MediumDescription description) {
+  Result<MixtureIndex> index = mixture_index(std::move(parts));
+  if (!index) return index.errors();
+  return Medium(std::make_shared<const Content>(Content{std::move(description), std::move(*index)}));
 }
 
 std::complex<double> Medium::index(double wavelength_nm) const {
@@ -135,13 +103,11 @@ bool Medium::covers(double wavelength_nm) const {
   return !range || (wavelength_nm >= range->first_nm && wavelength_nm <= range->last_nm);
 }
 
-std::string Medium::outside_range_note() const {
-  const auto range = range_nm();
-  if (!range) return {};
-  const bool table = std::holds_alternative<TableIndex>(content_->index);
-  return name() + ": wavelengths outside " + format_number(range->first_nm) + ".." + format_number(range->last_nm) +
-         " nm: " + (table ? "the table's end values are held" : "the formula is continued");
+std::string Medium::outside_range_note(std::span<const double> wavelengths_nm) const {
+  return note_of(*this, content_->index, wavelengths_nm);
 }
+
+std::string Medium::outside_range_note(WavelengthRange asked) const { return note_of(*this, content_->index, asked); }
 
 bool operator==(const Medium& a, const Medium& b) {
   return a.content_ == b.content_ || a.content_->index == b.content_->index;

@@ -5,6 +5,7 @@
 #include <complex>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct WavelengthRange {
   double last_nm = 0;
   friend bool operator==(const WavelengthRange&, const WavelengthRange&) = default;
 };
+
+// Of n, k and |n + ik|: far beyond any medium.
+inline constexpr double smallest_index = 1e-4, largest_index = 1e4;
 
 // The rendered range, down and up to which a dispersion formula is continued.
 inline constexpr WavelengthRange rendered_range_nm = {360, 830};
@@ -38,6 +42,15 @@ struct IndexSample {
   friend bool operator==(const IndexSample&, const IndexSample&) = default;
 };
 
+// One measured row of k alone, beside a formula for n.
+struct AbsorptionSample {
+  double wavelength_nm = 0;
+  double k = 0;
+  friend bool operator==(const AbsorptionSample&, const AbsorptionSample&) = default;
+};
+
+struct MixturePart;
+
 class Medium {
  public:
   Medium();  // vacuum
@@ -46,15 +59,21 @@ class Medium {
   static Medium constant(std::complex<double> index);
   static Medium constant(std::complex<double> index, MediumDescription description);
 
-  // A lossless medium by a formula that its source states for `range`.
-  static Medium formula(DispersionFormula formula, WavelengthRange range, MediumDescription description);
+  // n by a formula that its source states for `range`, k by measured rows (none: lossless), both held at the ends of
+  // what is known. Errors: a range that does not rise, a formula without an index of 0.0001..10000 somewhere in it,
+  // rows as table() refuses them, no wavelength that has n and k.
+  static Result<Medium> formula(DispersionFormula formula, WavelengthRange range, MediumDescription description,
+                                std::vector<AbsorptionSample> absorption = {});
 
-  // Measured rows, interpolated linearly in wavelength. Errors: no rows, wavelengths that are not positive and rising,
-  // values that are not finite, negative n or k, n and k both 0.
+  // Measured rows, interpolated linearly in wavelength (38). Errors: no rows, wavelengths that are not positive and
+  // rising, values that are not finite or above 10000, negative n or k, n and k both 0.
   static Result<Medium> table(std::vector<IndexSample> rows, MediumDescription description);
 
-  // n + ik at a vacuum wavelength. Outside its range a formula continues down to 360 nm and up to 830 nm and then holds
-  // its value, a table holds its end value.
+  // By the rule of Lorentz and Lorenz (39), see mixing.h. Errors: no parts, fractions that do not sum to 1 within 1e-6.
+  static Result<Medium> mixture(std::vector<MixturePart> parts, MediumDescription description);
+
+  // n + ik at a vacuum wavelength. Outside its range a formula is continued down to 360 nm and up to 830 nm, or until
+  // it runs into a resonance, and then holds its value; a table holds its end value; a mixture has what its parts have.
   std::complex<double> index(double wavelength_nm) const;
 
   bool is_constant() const;
@@ -64,14 +83,16 @@ class Medium {
   const std::string& description() const;
   const std::string& source() const;
 
-  // The wavelengths the source covers; nothing for a constant.
+  // The wavelengths the source covers (all parts of a mixture); nothing for a constant.
   std::optional<WavelengthRange> range_nm() const;
 
   // False where index() continues or holds values beyond its source. Callers warn once.
   bool covers(double wavelength_nm) const;
 
-  // One sentence for that warning: "water: wavelengths outside 182..1129 nm: the formula is continued".
-  std::string outside_range_note() const;
+  // One sentence for that warning, of what index() does at those of the wavelengths asked that the source does not
+  // cover: "water: its source covers 182..1129 nm; above, the value at 1129 nm is held". Empty when it covers them all.
+  std::string outside_range_note(std::span<const double> wavelengths_nm) const;
+  std::string outside_range_note(WavelengthRange asked) const;  // every wavelength of a range
 
   // Equal indices at all wavelengths by construction, whatever the names: air, vacuum and 1 are equal.
   friend bool operator==(const Medium& a, const Medium& b);
@@ -80,6 +101,12 @@ class Medium {
   struct Content;
   explicit Medium(std::shared_ptr<const Content> content);
   std::shared_ptr<const Content> content_;
+};
+
+struct MixturePart {
+  Medium medium;
+  double fraction = 0;  // of the volume, 0..1
+  friend bool operator==(const MixturePart&, const MixturePart&) = default;
 };
 
 }  // namespace shabon::optics

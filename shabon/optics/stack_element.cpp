@@ -12,8 +12,7 @@ namespace shabon::optics {
 
 namespace {
 
-// Of |n + ik|: far beyond any medium.
-constexpr double smallest_index = 1e-4, largest_index = 1e4;
+
 constexpr std::string_view index_form = "an index of magnitude 0.0001..10000";
 
 struct Unit {

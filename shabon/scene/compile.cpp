@@ -86,11 +86,12 @@ class ObjectsCompiler {
   }
 
   void warn_outside_range(const optics::Medium& medium, const Path& film) {
-    if (medium.covers(color::first_nm) && medium.covers(color::last_nm)) return;
+    const std::string note = medium.outside_range_note(optics::WavelengthRange{color::first_nm, color::last_nm});
+    if (note.empty()) return;
     for (const std::string& name : warned_)
       if (name == medium.name()) return;
     warned_.push_back(medium.name());
-    problems_.add_warning(film, medium.outside_range_note());
+    problems_.add_warning(film, note);
   }
 
   Scene& scene_;
