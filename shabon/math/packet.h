@@ -211,17 +211,23 @@ inline bool any(packet_mask<T, N> mask) {
   return bits(mask) != 0;
 }
 
-// 1/a with a relative error below 2e-7, for normal numbers whose reciprocal is normal too.
-template <int N>
-inline packet<float, N> reciprocal(packet<float, N> a) {
+// 1/a with a relative error below 2e-7 in float and 5e-16 in double, for normal numbers whose reciprocal is normal too.
+template <class T, int N>
+inline packet<T, N> reciprocal(packet<T, N> a) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(a) == 64) {
-    // 14 bits from the table, then one step of Newton's method.
-    const auto rough = packet<float, N>::wrap(_mm512_maskz_rcp14_ps(0xFFFF, (__m512)a.v));
-    return rough * (2.0f - a * rough);
+    // 14 bits from the table; each step of Newton's method doubles them.
+    if constexpr (sizeof(T) == 4) {
+      const auto rough = packet<T, N>::wrap(_mm512_maskz_rcp14_ps(0xFFFF, (__m512)a.v));
+      return rough * (2.0f - a * rough);
+    } else if constexpr (N == 8) {
+      auto rough = packet<T, N>::wrap(_mm512_maskz_rcp14_pd(0xFF, (__m512d)a.v));
+      rough = rough * (2.0 - a * rough);
+      return rough + rough * (1.0 - a * rough);
+    }
   }
 #endif
-  return packet<float, N>(1.0f) / a;
+  return packet<T, N>(T(1)) / a;
 }
 
 // Some compilers turn a loop over std::sqrt into one instruction, some do not.

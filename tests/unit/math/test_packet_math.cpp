@@ -63,8 +63,79 @@ TEST(SinPi, ErrorInDouble) {
     }
   EXPECT_EQ(sin_pi_reduced(D(0.0))[0], 0);
   RecordProperty("worst", testing::PrintToString(worst));
-  EXPECT_LT(worst, 1e-13);
-  EXPECT_LT(worst_relative, 1e-13);
+  EXPECT_LT(worst, 6e-16);
+  EXPECT_LT(worst_relative, 6e-16);
+}
+
+TEST(CosPi, AbsoluteError) {
+  double worst = 0;
+  sweep(-0.5, 0.5, 1 << 20, [&](P x) {
+    const P c = cos_pi_reduced(x);
+    for (int i = 0; i < lanes; ++i) worst = std::max(worst, std::abs(c[i] - std::cos(pi * static_cast<double>(x[i]))));
+  });
+  RecordProperty("worst", testing::PrintToString(worst));
+  EXPECT_LT(worst, 1.8e-7);
+  EXPECT_EQ(cos_pi_reduced(P(0.0f))[0], 1);
+}
+
+TEST(CosPi, ErrorInDouble) {
+  using D = packet<double, lanes>;
+  double worst = 0;
+  for (int k = -100000; k <= 100000; ++k) {
+    const double x = 0.5 * k / 100000;
+    const long double exact = std::cos(std::numbers::pi_v<long double> * x);
+    worst = std::max(worst, static_cast<double>(std::abs(cos_pi_reduced(D(x))[0] - exact)));
+  }
+  EXPECT_EQ(cos_pi_reduced(D(0.0))[0], 1);
+  RecordProperty("worst", testing::PrintToString(worst));
+  EXPECT_LT(worst, 4e-16);
+}
+
+// The largest relative error of f(x) against exact(x), for x between `from` and `to`.
+template <class T, class F, class Exact>
+double worst_relative_error(double from, double to, const F& f, const Exact& exact) {
+  using Q = packet<T, lanes>;
+  double worst = 0;
+  constexpr int steps = 200000;
+  for (int k = 0; k <= steps; ++k) {
+    const T x = static_cast<T>(from + (to - from) * k / steps);
+    const long double there = exact(static_cast<long double>(x));
+    const double error = static_cast<double>(std::abs(f(Q(x))[0] - there));
+    worst = std::max(worst, there == 0 ? error : error / static_cast<double>(std::abs(there)));
+  }
+  return worst;
+}
+
+template <class T>
+void expect_exp2_errors(double least_exponent, double stated, double stated_minus_1) {
+  const auto power = [](auto x) { return exp2(x); };
+  const auto less_1 = [](auto x) { return exp2_minus_1(x); };
+  const auto exact = [](long double x) { return std::exp2(x); };
+  const auto exact_less_1 = [](long double x) { return std::expm1(x * std::numbers::ln2_v<long double>); };
+  EXPECT_LT(worst_relative_error<T>(least_exponent, 100, power, exact), stated);
+  for (const double limit : {1e-6, 1e-3, 1.0, 10.0, 100.0})
+    EXPECT_LT(worst_relative_error<T>(-limit, limit, less_1, exact_less_1), stated_minus_1) << limit;
+  const packet<T, lanes> far(static_cast<T>(-1e6));
+  EXPECT_EQ(exp2_minus_1(far)[lanes - 1], -1);
+  EXPECT_EQ(exp2(far)[0], std::numeric_limits<T>::min());
+}
+
+TEST(Exp2, RelativeErrors) {
+  expect_exp2_errors<float>(-126, 2e-7, 3e-7);
+  expect_exp2_errors<double>(-1022, 5e-16, 1e-15);
+}
+
+TEST(Reciprocals, RelativeErrors) {
+  const auto one_over = [](auto x) { return reciprocal(x); };
+  const auto one_over_root = [](auto x) { return reciprocal_sqrt(x); };
+  const auto exact = [](long double x) { return 1 / x; };
+  const auto exact_root = [](long double x) { return 1 / std::sqrt(x); };
+  for (const double size : {1e-30, 1e-3, 1.0, 1e6, 1e29}) {
+    EXPECT_LT(worst_relative_error<float>(size, 9 * size, one_over, exact), 2e-7);
+    EXPECT_LT(worst_relative_error<double>(size, 9 * size, one_over, exact), 5e-16);
+    EXPECT_LT(worst_relative_error<float>(size, 9 * size, one_over_root, exact_root), 2e-7);
+    EXPECT_LT(worst_relative_error<double>(size, 9 * size, one_over_root, exact_root), 5e-16);
+  }
 }
 
 TEST(Atan2, AbsoluteErrorAllAround) {

@@ -1,0 +1,218 @@
+// Coherent stacks of any number of layers for many wavelengths at once: (29) to (32). The algebra runs in float, and
+// where the stack is so selective that float's rounding would show, in double: what decides is the light inside the
+// stack (docs/decisions/0006).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "shabon/optics/packet/free_film.h"
+#include "shabon/optics/packet/stack_layers.h"
+
+namespace shabon::optics {
+inline namespace SHABON_REGISTERS {
+
+inline constexpr std::size_t no_layer = std::numeric_limits<std::size_t>::max();
+
+// From where the light comes, and the thickness of one layer where it is not the table's.
+struct StackRay {
+  double cos_i = 1;              // in medium 1, 0..1; kept above 1e-8
+  bool from_exit = false;        // the light comes from the exit side; only where the outer media are equal
+  std::size_t layer = no_layer;  // whose thickness is
+  double thickness_nm = 0;       // this
+};
+
+// What comes out at the near face for N wavelengths of one polarisation, before any division: r = difference/sum,
+// t = 2 u1 passed/sum, with u1 and u3 of the outer media.
+template <class T, int N>
+struct StackSide {
+  math::complex_packet<T, N> difference, sum;  // u1 E - H, u1 E + H
+  math::packet<T, N> u1;
+  math::complex_packet<T, N> u3;
+  math::packet<T, N> passed;  // what all scalings multiply up to
+  math::packet<T, N> inside;  // the sum of |E|^2 + |H|^2 over all faces, scaled alike
+};
+
+template <class T, int N>
+struct StackSides {
+  StackSide<T, N> s, p;
+  bool lossless;  // layers and exit medium, with light running on into it at every wavelength
+};
+
+template <class T, int N>
+inline RayLanes<N> ray_lanes(const StackTable& table, std::size_t first, double cos_i) {
+  const double cos2 = std::max(cos_i * cos_i, least_cos2);
+  return {first, cos2, row_at<N>(table.incidence.in_double.n_squared, first) * cos2,
+          row_at<N>(table.half_turns_per_nm, first)};
+}
+
+// The fields at the exit: a wave that runs away alone, E = 1 and H = u3.
+template <class T, int N>
+inline void begin_at_exit(const StackTable& table, const RayLanes<N>& ray, bool running, StackSides<T, N>& sides,
+                          BothFields<T, N>& fields) {
+  using P = math::packet<T, N>;
+  using C = math::complex_packet<T, N>;
+  const SquaredRows<T>&n1 = table.incidence.squared<T>(), &n3 = table.exit.squared<T>();
+  const P q1_squared = math::convert<T>(ray.q1_squared);
+  sides.s.u1 = q1_squared * math::reciprocal_sqrt(q1_squared);
+  sides.p.u1 = sides.s.u1 * row_at<N>(n1.inverse, ray.first);
+  if (running) {
+    const P q3_squared = math::convert<T>(row_at<N>(table.exit.step, ray.first) + ray.q1_squared);
+    const P q3 = q3_squared * math::reciprocal_sqrt(q3_squared);
+    sides.s.u3 = C(q3), sides.p.u3 = C(q3 * row_at<N>(n3.inverse, ray.first));
+  } else {
+    sides.s.u3 = ComplexRoots<T, N>(q_squared_of<T, N>(table.exit, ray)).q;
+    sides.p.u3 = sides.s.u3 * row_pair<T, N>(n3.inverse, n3.inverse_im, table.exit.lossless, ray.first);
+  }
+  const auto running_away = [](const C& u3) { return Fields<T, N>{C(P(T(1))), C(-u3.im, u3.re)}; };
+  fields = {running_away(sides.s.u3), running_away(sides.p.u3)};
+}
+
+template <class T, int N>
+inline math::packet<T, N> size_of(const Fields<T, N>& f) {
+  return norm(f.e) + norm(f.ih);
+}
+
+// Brings the fields back to the order of 1, before squares of them can overflow.
+template <class T, int N>
+inline void rescale(Fields<T, N>& f, StackSide<T, N>& side) {
+  const auto scale = math::reciprocal(abs(f.e.re) + abs(f.e.im) + abs(f.ih.re) + abs(f.ih.im));
+  f = {{f.e.re * scale, f.e.im * scale}, {f.ih.re * scale, f.ih.im * scale}};
+  side.passed *= scale;
+  side.inside *= scale * scale;
+}
+
+template <class T, int N>
+inline void end_at_entrance(const Fields<T, N>& f, StackSide<T, N>& side) {
+  const math::complex_packet<T, N> u1_e(side.u1 * f.e.re, side.u1 * f.e.im), h(f.ih.im, -f.ih.re);
+  side.difference = u1_e - h;
+  side.sum = u1_e + h;
+}
+
+// The wavelengths first..first+N of the table's rows; `first` is a multiple of N.
+template <class T, int N>
+inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, const StackRay& at) {
+  using P = math::packet<T, N>;
+  constexpr std::size_t layers_between_scalings = 8;
+  const RayLanes<N> ray = ray_lanes<T, N>(table, first, at.cos_i);
+  const bool running = table.exit.lossless && table.exit.least_step + table.least_n1_squared * ray.cos2 > 0;
+  StackSides<T, N> sides;
+  sides.lossless = table.lossless && running;
+  sides.s.passed = sides.p.passed = P(T(1)), sides.s.inside = sides.p.inside = P(T(0));
+  BothFields<T, N> fields;
+  begin_at_exit(table, ray, running, sides, fields);
+  P faded(T(0));
+  const std::size_t count = table.layers.size();
+  for (std::size_t met = 0; met < count; ++met) {
+    const std::size_t j = at.from_exit ? met : count - 1 - met;
+    const LayerRows& layer = table.layers[j];
+    cross_layer<T, N>(table, layer, ray, j == at.layer ? at.thickness_nm : layer.thickness_nm, fields, faded);
+    sides.s.inside += size_of(fields.s), sides.p.inside += size_of(fields.p);
+    if (met % layers_between_scalings == layers_between_scalings - 1)
+      rescale(fields.s, sides.s), rescale(fields.p, sides.p);
+  }
+  end_at_entrance(fields.s, sides.s), end_at_entrance(fields.p, sides.p);
+  if (any(faded > P(T(0)))) {
+    const P decay = math::exp2(-faded);
+    sides.s.passed *= decay, sides.p.passed *= decay;
+  }
+  return sides;
+}
+
+// R and T of one polarisation. Without loss |sum|^2 - |difference|^2 = 4 u1 u3 passed^2, so that R + T = 1 to rounding.
+template <class T, int N>
+inline std::array<math::packet<T, N>, 2> powers_of(const StackSide<T, N>& side, bool lossless) {
+  const auto out = T(4) * side.u1 * side.u3.re * (side.passed * side.passed), back = norm(side.difference);
+  const auto over = math::reciprocal(lossless ? back + out : norm(side.sum));
+  return {back * over, out * over};
+}
+
+// r, and t as the ratio of E (s) or of the magnetic field (p). The sign of t is that of both polarisations or neither.
+template <class T, int N>
+struct SideAmplitudes {
+  math::complex_packet<T, N> r, t;
+};
+
+template <class T, int N>
+inline SideAmplitudes<T, N> amplitudes_of(const StackSide<T, N>& side) {
+  const auto over = math::reciprocal(norm(side.sum));
+  const math::complex_packet<T, N> over_sum(side.sum.re * over, -(side.sum.im * over));
+  const auto factor = T(2) * side.u1 * side.passed;
+  return {side.difference * over_sum, {factor * over_sum.re, factor * over_sum.im}};
+}
+
+// How much more light, at most, there is inside the stack than falls on it, summed over the faces. The rounding of one
+// layer's matrix changes R by about so many times itself (perturbation theory: dr is the integral of E^2 over the
+// change).
+template <class T, int N>
+inline math::packet<T, N> light_inside(const StackSide<T, N>& side) {
+  return T(2) * side.u1 * side.inside * math::reciprocal(norm(side.sum));
+}
+
+// Above this, float's rounding may exceed 5e-6 in R or T.
+inline constexpr float most_light_inside = 30;
+
+template <int N>
+inline bool needs_double(const StackSides<float, N>& sides) {
+  const math::packet<float, N> most(most_light_inside);
+  // Written so that not-a-number, from an overflow, needs double too.
+  const auto fine = (light_inside(sides.s) <= most) & (light_inside(sides.p) <= most);
+  return bits(fine) != (N == 32 ? ~0u : (1u << N) - 1);
+}
+
+// finish(StackSides<T, M>) -> std::array of packets<T, M>, in the precision that the stack needs; as packets of N
+// floats.
+template <int N, class Finish>
+inline auto with_enough_digits(const StackTable& table, std::size_t first, const StackRay& at, const Finish& finish) {
+  using math::convert;
+  if constexpr (!math::fits_register<float, N>) {
+    const auto low = with_enough_digits<N / 2>(table, first, at, finish);
+    const auto high = with_enough_digits<N / 2>(table, first + N / 2, at, finish);
+    std::array<math::packet<float, N>, std::tuple_size_v<decltype(low)>> result;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = {low[i], high[i]};
+    return result;
+  } else {
+    const StackSides<float, N> sides = cross_stack<float, N>(table, first, at);
+    auto result = finish(sides);
+    if (needs_double(sides)) [[unlikely]] {
+      const auto exact = finish(cross_stack<double, N>(table, first, at));
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = convert<float>(exact[i]);
+    }
+    return result;
+  }
+}
+
+// R and T of s and p within 5e-6 for wavelengths first..first+N of the table; `first` is a multiple of N.
+template <int N>
+inline FilmPowers<N> stack_powers(const StackTable& table, std::size_t first, const StackRay& at) {
+  const auto x = with_enough_digits<N>(table, first, at, [](const auto& sides) {
+    const auto s = powers_of(sides.s, sides.lossless), p = powers_of(sides.p, sides.lossless);
+    return std::array{s[0], p[0], s[1], p[1]};
+  });
+  return {x[0], x[1], x[2], x[3]};
+}
+
+// One block (16) from the powers and from x_s conj(x_p).
+template <class T, int N>
+inline std::array<math::packet<T, N>, 4> mueller_block(const math::packet<T, N>& s, const math::packet<T, N>& p,
+                                                       const math::complex_packet<T, N>& both) {
+  return {T(0.5) * (s + p), T(0.5) * (s - p), both.re, both.im};
+}
+
+// Both Mueller blocks, for a stack between equal media: r from the side of medium 1 (of the exit with from_exit), and
+// t, which is the same from both sides.
+template <int N>
+inline FilmMueller<N> stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
+  const auto x = with_enough_digits<N>(table, first, at, [](const auto& sides) {
+    const auto s = powers_of(sides.s, sides.lossless), p = powers_of(sides.p, sides.lossless);
+    const auto in_s = amplitudes_of(sides.s), in_p = amplitudes_of(sides.p);
+    const auto r = mueller_block(s[0], p[0], in_s.r * conj(in_p.r)),
+               t = mueller_block(s[1], p[1], in_s.t * conj(in_p.t));
+    return std::array{r[0], r[1], r[2], r[3], t[0], t[1], t[2], t[3]};
+  });
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]}};
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::optics
