@@ -48,11 +48,13 @@ Result<RgbImage> read_image(const std::filesystem::path& path);
 Result<RgbImage> decode_exr(std::string_view bytes, const std::string& source);
 Result<RgbImage> decode_hdr(std::string_view bytes, const std::string& source);
 
-// 8-bit PNG marked as sRGB; metadata become text chunks. `rgb` holds 3 width height values. Errors: Failure::file as
-// write_file_atomically; Failure::internal when the sizes do not fit or a metadata name is not 1..79 printable letters.
+// 8-bit PNG marked as sRGB; metadata become text chunks. `rgb` holds 3 width height values; `pixels_per_inch` above 0
+// tells how large to print it. Errors: Failure::file as write_file_atomically; Failure::internal when the sizes do not
+// fit or a metadata name is not 1..79 printable letters.
 Status write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb,
-                 const Metadata& metadata);
-Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata);
+                 const Metadata& metadata, double pixels_per_inch = 0);
+Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
+                               double pixels_per_inch = 0);
 
 // Float R, G, B without loss (ZIP), with sRGB's chromaticities; metadata become string attributes. Errors as write_png.
 Status write_exr(const std::filesystem::path& path, const RgbImage& image, const Metadata& metadata);

@@ -1,6 +1,8 @@
 // PNG through libpng: the full interface to write (text chunks), the simplified one to read.
 #include <png.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csetjmp>
 #include <cstdint>
 #include <new>
@@ -15,6 +17,8 @@
 namespace shabon::io {
 
 namespace {
+
+constexpr double metres_per_inch = 0.0254;
 
 // libpng reports errors by longjmp: between setjmp and it there must be nothing with a destructor.
 struct Output {
@@ -45,11 +49,12 @@ extern "C" void shabon_png_write(png_structp png, png_bytep data, png_size_t siz
 extern "C" void shabon_png_flush(png_structp) {}
 
 bool write_image(png_structp png, png_infop info, int width, int height, const std::uint8_t* rgb, png_text* texts,
-                 int text_count) {
+                 int text_count, png_uint_32 pixels_per_metre) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (pixels_per_metre > 0) png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
   if (text_count > 0) png_set_text(png, info, texts, text_count);
   png_write_info(png, info);
   for (int y = 0; y < height; ++y)
@@ -85,7 +90,8 @@ bool can_hold(std::size_t file_bytes, std::uint64_t pixels) { return pixels / 8 
 
 }  // namespace
 
-Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata) try {
+Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
+                               double pixels_per_inch) try {
   if (auto error = refuse_contents(width, height, rgb.size(), metadata)) return *error;
   Output output;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, shabon_png_error, shabon_png_warning);
@@ -94,7 +100,9 @@ Result<std::string> encode_png(int width, int height, std::span<const std::uint8
   if (info) {
     std::vector<png_text> texts = make_texts(metadata);
     png_set_write_fn(png, &output, shabon_png_write, shabon_png_flush);
-    written = write_image(png, info, width, height, rgb.data(), texts.data(), static_cast<int>(texts.size()));
+    const double per_metre = std::clamp(pixels_per_inch / metres_per_inch, 0.0, 1e9);
+    written = write_image(png, info, width, height, rgb.data(), texts.data(), static_cast<int>(texts.size()),
+                          static_cast<png_uint_32>(std::lround(per_metre)));
   }
   png_destroy_write_struct(&png, &info);
   if (!written) return fail(Failure::internal, "writing PNG: " + output.message);
@@ -104,8 +112,8 @@ Result<std::string> encode_png(int width, int height, std::span<const std::uint8
 }
 
 Status write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb,
-                 const Metadata& metadata) {
-  const Result<std::string> bytes = encode_png(width, height, rgb, metadata);
+                 const Metadata& metadata, double pixels_per_inch) {
+  const Result<std::string> bytes = encode_png(width, height, rgb, metadata, pixels_per_inch);
   if (!bytes) {
     Diagnostics errors = bytes.errors();
     for (Diagnostic& error : errors) error.source = path.string();

@@ -36,6 +36,12 @@ TEST(Png, CarriesColourSpaceAndMetadata) {
   EXPECT_NE(bytes->find("しゃぼん"), std::string::npos);
 }
 
+TEST(Png, SaysHowLargeToPrint) {
+  const std::string per_metre("pHYs\0\0\x2e\x23\0\0\x2e\x23\1", 13);  // 300 per inch are 11811 per metre
+  EXPECT_NE(encode_png(3, 2, test_pixels(3, 2), {}, 300)->find(per_metre), std::string::npos);
+  EXPECT_EQ(encode_png(3, 2, test_pixels(3, 2), {})->find("pHYs"), std::string::npos);
+}
+
 TEST(Png, EveryPrefixIsTruncated) {
   const std::string whole = *encode_png(11, 9, test_pixels(11, 9), {{"a", "b"}});
   for (std::size_t length = 0; length < whole.size(); ++length)
