@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shabon/optics/reference/single_film.h"
+#include "shabon/optics/reference/stack_model.h"
 
 namespace shabon::desk {
 
@@ -17,12 +17,12 @@ bool repeats(std::span<const optics::Medium> media, std::size_t index) {
 }  // namespace
 
 Status check_computable(const optics::Stack& stack, optics::Interference interference) {
-  return optics::check_single_film(stack, interference);
+  return optics::check_model(stack, interference);
 }
 
 optics::Powers film_powers(const optics::Stack& stack, optics::Interference interference, optics::Incidence incidence,
                            double wavelength_nm) {
-  return optics::single_film_powers(stack, interference, incidence, wavelength_nm);
+  return optics::model_powers(stack, interference, incidence, wavelength_nm);
 }
 
 Diagnostics range_warnings(const optics::Stack& stack, std::span<const double> wavelengths_nm) {
@@ -33,11 +33,11 @@ Diagnostics range_warnings(const optics::Stack& stack, std::span<const double> w
   Diagnostics warnings;
   for (std::size_t i = 0; i < media.size(); ++i) {
     if (repeats(media, i)) continue;
-    if (std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(), [&](double nm) { return media[i].covers(nm); }))
-      continue;
+    std::string note = media[i].outside_range_note(wavelengths_nm);
+    if (note.empty()) continue;
     Diagnostic warning;
     warning.severity = Severity::warning;
-    warning.message = media[i].outside_range_note();
+    warning.message = std::move(note);
     warnings.push_back(std::move(warning));
   }
   return warnings;
