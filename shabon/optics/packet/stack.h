@@ -120,10 +120,16 @@ inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, 
   return sides;
 }
 
+// 4 u1 Re(u3) passed^2: what runs on, in units of |sum|^2.
+template <class T, int N>
+inline math::packet<T, N> outgoing(const StackSide<T, N>& side) {
+  return T(4) * side.u1 * side.u3.re * (side.passed * side.passed);
+}
+
 // R and T of one polarisation. Without loss |sum|^2 - |difference|^2 = 4 u1 u3 passed^2, so that R + T = 1 to rounding.
 template <class T, int N>
 inline std::array<math::packet<T, N>, 2> powers_of(const StackSide<T, N>& side, bool lossless) {
-  const auto out = T(4) * side.u1 * side.u3.re * (side.passed * side.passed), back = norm(side.difference);
+  const auto out = outgoing(side), back = norm(side.difference);
   const auto over = math::reciprocal(lossless ? back + out : norm(side.sum));
   return {back * over, out * over};
 }
@@ -135,8 +141,12 @@ struct SideAmplitudes {
 };
 
 template <class T, int N>
-inline SideAmplitudes<T, N> amplitudes_of(const StackSide<T, N>& side) {
-  const auto over = math::reciprocal(norm(side.sum));
+inline SideAmplitudes<T, N> amplitudes_of(const StackSide<T, N>& side, bool lossless) {
+  auto over = math::reciprocal(norm(side.sum));
+  if (lossless) {  // to first order, so that |r|^2 and |t|^2 are the R and T of powers_of
+    const auto exact = math::reciprocal(norm(side.difference) + outgoing(side));
+    over = exact * (T(1.5) - T(0.5) * (norm(side.sum) * exact));
+  }
   const math::complex_packet<T, N> over_sum(side.sum.re * over, -(side.sum.im * over));
   const auto factor = T(2) * side.u1 * side.passed;
   return {side.difference * over_sum, {factor * over_sum.re, factor * over_sum.im}};
@@ -151,7 +161,7 @@ inline math::packet<T, N> light_inside(const StackSide<T, N>& side) {
 }
 
 // Above this, float's rounding may exceed 5e-6 in R or T.
-inline constexpr float most_light_inside = 30;
+inline constexpr float most_light_inside = 50;
 
 template <int N>
 inline bool needs_double(const StackSides<float, N>& sides) {
@@ -206,7 +216,7 @@ template <int N>
 inline FilmMueller<N> stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
   const auto x = with_enough_digits<N>(table, first, at, [](const auto& sides) {
     const auto s = powers_of(sides.s, sides.lossless), p = powers_of(sides.p, sides.lossless);
-    const auto in_s = amplitudes_of(sides.s), in_p = amplitudes_of(sides.p);
+    const auto in_s = amplitudes_of(sides.s, sides.lossless), in_p = amplitudes_of(sides.p, sides.lossless);
     const auto r = mueller_block(s[0], p[0], in_s.r * conj(in_p.r)),
                t = mueller_block(s[1], p[1], in_s.t * conj(in_p.t));
     return std::array{r[0], r[1], r[2], r[3], t[0], t[1], t[2], t[3]};

@@ -148,7 +148,7 @@ TEST(PacketStack, AmplitudesInDoubleLanes) {
     const StackTable table(it.stack, it.wavelengths_nm);
     for (int first = 0; first < lanes; first += leaf) {
       const auto sides = cross_stack<double, leaf>(table, static_cast<std::size_t>(first), {.cos_i = it.cos_i});
-      const auto s = amplitudes_of(sides.s), p = amplitudes_of(sides.p);
+      const auto s = amplitudes_of(sides.s, sides.lossless), p = amplitudes_of(sides.p, sides.lossless);
       for (int i = 0; i < leaf; ++i) {
         const double nm = it.wavelengths_nm[static_cast<std::size_t>(first + i)];
         const auto where = [&] { return text_of(it, first + i); };
