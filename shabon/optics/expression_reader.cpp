@@ -22,7 +22,7 @@ bool is_letter(char c) {
 
 bool ExpressionReader::at_number() const { return is_digit(peek()) || at('.') || at('+') || at('-'); }
 bool ExpressionReader::at_letter() const { return is_letter(peek()); }
-bool ExpressionReader::at_delimiter() const { return at_end() || is_delimiter(peek()); }
+bool ExpressionReader::at_delimiter() const { return at_end() || is_delimiter(peek()) || (in_list_ && at(',')); }
 
 void ExpressionReader::skip_space() {
   while (is_space(peek())) advance();
@@ -82,13 +82,14 @@ void ExpressionReader::expected(const std::string& what, std::size_t offset) {
   std::string got = "the end";
   if (offset < text_.size()) {
     std::size_t end = offset;
-    while (end < text_.size() && !is_delimiter(text_[end])) ++end;
+    while (end < text_.size() && !is_delimiter(text_[end]) && !(in_list_ && text_[end] == ',')) ++end;
     got = "'" + printable(text_.substr(offset, std::max<std::size_t>(end - offset, 1)), most_shown_characters) + "'";
   }
   problem(offset, "expected " + what + ", got " + got);
 }
 
 void ExpressionReader::problem(std::size_t offset, std::string message) {
+  if (!problems_.empty() && problems_.back().first == offset) return;  // one place, one message
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
   add(offset, std::move(diagnostic));
@@ -104,6 +105,10 @@ void ExpressionReader::add(std::size_t offset, Diagnostic diagnostic) {
     return;
   }
   problems_.emplace_back(offset, std::move(diagnostic));
+}
+
+bool ExpressionReader::has_problems_since(std::size_t offset) const {
+  return std::any_of(problems_.begin(), problems_.end(), [&](const auto& problem) { return problem.first >= offset; });
 }
 
 Diagnostics ExpressionReader::take_problems() {

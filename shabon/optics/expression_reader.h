@@ -22,7 +22,10 @@ class ExpressionReader {
   bool at(char c) const { return !at_end() && text_[offset_] == c; }
   bool at_number() const;     // a digit, a sign or a point
   bool at_letter() const;     // or any character beyond ASCII
-  bool at_delimiter() const;  // the end, white space or one of | ( ) ^
+  bool at_delimiter() const;  // the end, white space or one of | ( ) ^, and a comma in a list
+
+  bool in_list() const { return in_list_; }  // between the brackets of a mixture
+  void set_in_list(bool in_list) { in_list_ = in_list; }
 
   void advance() { ++offset_; }
   void skip_space();
@@ -39,12 +42,13 @@ class ExpressionReader {
 
   // "expected <what>, got <whatever stands at the offset>".
   void expected(const std::string& what, std::size_t offset);
-  void problem(std::size_t offset, std::string message);
+  void problem(std::size_t offset, std::string message);  // nothing when the last one stands at the same place
   // Problems that lie elsewhere keep their place; those without one get this offset.
   void problems(std::size_t offset, const Diagnostics& found);
 
   bool has_problems() const { return !problems_.empty(); }
-  bool stopped() const { return stopped_; }  // too many problems, or one that leaves nothing to read
+  bool has_problems_since(std::size_t offset) const;  // at or after it
+  bool stopped() const { return stopped_; }           // too many problems, or one that leaves nothing to read
   void stop() { stopped_ = true; }
 
   // In the order of the text.
@@ -57,6 +61,7 @@ class ExpressionReader {
   std::size_t offset_ = 0;
   std::vector<std::pair<std::size_t, Diagnostic>> problems_;
   bool stopped_ = false;
+  bool in_list_ = false;
 };
 
 }  // namespace shabon::optics

@@ -12,7 +12,6 @@ namespace shabon::optics {
 
 namespace {
 
-
 constexpr std::string_view index_form = "an index of magnitude 0.0001..10000";
 
 struct Unit {
@@ -170,6 +169,12 @@ std::optional<Medium> StackElementParser::parse_name() {
   }
   reader_.take_until_delimiter();
   const std::string_view name = reader_.from(begin);
+  if (same_name(name, "mix")) {
+    const std::size_t end = reader_.offset();
+    reader_.skip_space();
+    if (reader_.at('(')) return parse_mixture(begin);
+    reader_.go_to(end);
+  }
   if (same_name(name, "incoherent")) {
     reader_.expected(text_of(medium_forms) + " and a thickness before 'incoherent'", begin);
     return {};

@@ -8,13 +8,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "shabon/optics/expression_reader.h"
 #include "shabon/optics/stack_expression.h"
 
 namespace shabon::optics {
 
-inline constexpr std::string_view medium_forms = "a medium (a number, a name or file:PATH)";
+inline constexpr std::string_view medium_forms = "a medium (a number, a name, file:PATH or mix(...))";
 inline constexpr std::string_view thickness_form = "a thickness such as 300nm";
 
 // A medium with whatever follows it. Offsets count bytes of the text.
@@ -36,14 +37,21 @@ class StackElementParser {
   // From the reader's offset; leaves it before the |, ( or ) that follows, or at the end.
   StackElement parse();
 
- private:
+  // What stands before a thickness. Nothing after a problem, which the reader keeps.
   std::optional<Medium> parse_medium();
+
+ private:
   std::optional<Medium> parse_index();
   std::optional<double> parse_real(std::size_t begin);
   bool parse_imaginary(double& k);
   std::optional<Medium> check_index(std::size_t begin, double n, double k);
   std::optional<Medium> parse_name();
   std::optional<Medium> parse_file();
+  std::optional<Medium> parse_mixture(std::size_t begin);
+  bool parse_part(std::vector<MixturePart>& parts, std::optional<std::size_t>& without_share);
+  bool parse_share(double& fraction);
+  std::optional<Medium> mixed(std::size_t begin, std::vector<MixturePart> parts,
+                              std::optional<std::size_t> without_share);
   std::optional<Medium> resolve(std::string_view name, bool is_file, std::size_t offset);
   bool parse_thickness(double& thickness_nm);
 

@@ -50,6 +50,11 @@ class StackParser {
   std::optional<StackElement> last_;  // the last element outside groups: a layer, or the exit medium if none follows
   bool has_incidence_ = false;
   bool too_many_layers_ = false;
+  // One slip, one message: set by what would only be told again.
+  bool lacks_operand_ = false;  // the operand before, too
+  bool lacks_count_ = false;    // the ')' before, too
+  bool lacks_opening_ = false;
+  bool lacks_incidence_ = false;
 };
 
 Result<Stack> StackParser::parse() {
@@ -68,7 +73,14 @@ void StackParser::parse_operand() {
     open_group();
     reader_.skip_space();
   }
-  if (!reader_.stopped()) add(elements_.parse());
+  if (reader_.stopped()) return;
+  const bool lacks_operand = reader_.at_end() || reader_.at('|') || reader_.at(')');
+  StackElement broken;
+  broken.begin = reader_.offset();
+  broken.broken = true;
+  add(lacks_operand && lacks_operand_ ? broken : elements_.parse());
+  lacks_operand_ = lacks_operand;
+  lacks_count_ = lacks_opening_ = false;
 }
 
 // The ends of groups and the bar. True when another operand follows.
@@ -98,7 +110,10 @@ void StackParser::open_group() {
     return;
   }
   if (groups_.empty()) {
-    if (!has_incidence_) reader_.problem(begin, "expected a first medium without thickness before a group");
+    if (!has_incidence_) {
+      reader_.problem(begin, "expected a first medium without thickness before a group");
+      lacks_incidence_ = true;
+    }
     has_incidence_ = true;
     if (last_) add_layer(*last_);
     last_.reset();
@@ -111,7 +126,8 @@ void StackParser::close_group() {
   reader_.advance();
   reader_.skip_space();
   if (groups_.empty()) {
-    reader_.problem(begin, "expected '(' before this ')'");
+    if (!lacks_opening_) reader_.problem(begin, "expected '(' before this ')'");
+    lacks_opening_ = true;
     if (reader_.at('^')) parse_count();
     return;
   }
@@ -124,7 +140,8 @@ void StackParser::close_group() {
 // After ')': the count, or 1 after a problem.
 int StackParser::parse_count() {
   if (!reader_.at('^')) {
-    reader_.expected(std::string(count_form), reader_.offset());
+    if (!lacks_count_) reader_.expected(std::string(count_form), reader_.offset());
+    lacks_count_ = true;
     return 1;
   }
   reader_.advance();
@@ -186,13 +203,17 @@ void StackParser::set_outer(const StackElement& element, Medium& medium, const c
 
 // The end of the text.
 void StackParser::finish() {
-  for (const OpenGroup& group : groups_) reader_.problem(group.begin, "expected ')' to close this '('");
+  if (groups_.size() == 1)
+    reader_.problem(groups_.front().begin, "expected ')' to close this '('");
+  else if (!groups_.empty())
+    reader_.problem(groups_.front().begin,
+                    "expected ')' to close this '(' and " + std::to_string(groups_.size() - 1) + " more within it");
   if (!groups_.empty()) return;
   if (last_)
     set_outer(*last_, stack_.exit, "last");
   else if (stack_.layers.empty() && !reader_.has_problems())
     reader_.expected("'|' and a second medium, as in 'air | water 300nm | air'", reader_.offset());
-  else if (!stack_.layers.empty())
+  else if (!stack_.layers.empty() && !lacks_count_ && !lacks_incidence_)
     reader_.expected("'|' and a last medium without thickness after the group", reader_.offset());
 }
 
@@ -201,6 +222,19 @@ void StackParser::finish() {
 Result<Medium> resolve_from_library(std::string_view name_or_file, bool is_file) {
   if (is_file) return fail(Failure::content, "n-k files cannot be read here; expected a name or a number");
   return medium_named(name_or_file);
+}
+
+Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolver) {
+  if (text.size() > most_bytes)
+    return fail(Failure::content, "medium: expected at most " + std::to_string(most_bytes) + " bytes, got " +
+                                      std::to_string(text.size()));
+  ExpressionReader reader(text);
+  reader.skip_space();
+  const std::optional<Medium> medium = StackElementParser(reader, resolver).parse_medium();
+  reader.skip_space();
+  if (!reader.has_problems() && !reader.at_end()) reader.expected("one medium and nothing after it", reader.offset());
+  if (reader.has_problems() || !medium) return reader.take_problems();
+  return *medium;
 }
 
 Result<Stack> parse_stack(std::string_view text, const MediumResolver& resolver) {

@@ -3,11 +3,14 @@
 //   stack    = medium { "|" element } "|" medium          from the side the light comes from
 //   element  = layer | "(" element { "|" element } ")" "^" count       groups nest, count 1..1000
 //   layer    = medium thickness [ "incoherent" ]
-//   medium   = index | name | "file:" path | "file:" '"' path '"'
+//   medium   = index | name | "file:" path | "file:" '"' path '"' | mixture
+//   mixture  = "mix" "(" part { "," part } ")"            part: medium [ number "%" ], of the volume
 //   index    = n | n "+" k "i" | k "i"                    exponents allowed; k < 0 is an error
 //   thickness = number unit                               unit: nm um µm mm cm, with or without a space
 //
-// An unquoted path ends at white space or "|". Names and `incoherent` ignore case, units do not.
+// An unquoted path ends at white space or "|", in a mixture also at ",". Names, `mix` and `incoherent` ignore case,
+// units do not. The shares of `mix(water 70%, glycerol 30%)` make up 100 %; the last part may leave its share out and
+// gets the rest. A mixture has at most 16 parts, no mixtures among them, and follows Lorentz and Lorenz (mixing.h).
 #pragma once
 
 #include <functional>
@@ -24,6 +27,9 @@ using MediumResolver = std::function<Result<Medium>(std::string_view name_or_fil
 
 // Knows the names of media_library() and no files.
 Result<Medium> resolve_from_library(std::string_view name_or_file, bool is_file);
+
+// The whole text as one medium: `water`, `1.5+0.1i`, `file:a.csv`, `mix(water 70%, glycerol 30%)`. Errors as below.
+Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolver = resolve_from_library);
 
 // The whole text as a stack. Errors: everything that is wrong, in order, up to a bound, each with source "<stack>",
 // line 1, the column in characters and the text; a text longer than 1 MiB is refused unread.

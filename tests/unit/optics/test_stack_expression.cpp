@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,10 @@ const Good good_expressions[] = {
     {"1|(2 1mm incoherent)^2|1", "1 | 2 1000000 incoherent | 2 1000000 incoherent | 1"},
     {"air | file:a.csv 3nm | file:\"a b.csv\"", "air | a.csv 3 | a b.csv"},
     {"air | File:/x/a(1)^2.csv 3nm | FILE:\"|)(.csv\"", "air | /x/a(1)^2.csv 3 | |)(.csv"},
+    {"air | mix(water 70%, glycerol 30%) 3nm | air", "air | mix(water 70%, glycerol 30%) 3 | air"},
+    {"MIX ( water 25 % ,1.5+0.1i\t75%)|( mix(file:a.csv 50%,2) 3nm)^2|1",
+     "mix(water 25%, 1.5+0.1i 75%) | mix(a.csv 50%, 2 50%) 3 | mix(a.csv 50%, 2 50%) 3 | 1"},
+    {"1 | mix(file:\"a, b).csv\" 33.3%, 2 33.3%, 3) 1nm | 1", "1 | mix(a, b).csv 33.3%, 2 33.3%, 3 33.4%) 1 | 1"},
     {"air | (file:a.csv 3nm)^2 | file:\u00E9.csv", "air | a.csv 3 | a.csv 3 | \u00E9.csv"},
 };
 
@@ -91,7 +96,7 @@ struct Bad {
   std::vector<Problem> problems;
 };
 
-constexpr const char* medium_expected = "expected a medium (a number, a name or file:PATH), got ";
+constexpr const char* medium_expected = "expected a medium (a number, a name, file:PATH or mix(...)), got ";
 constexpr const char* thickness_expected = "expected a thickness such as 300nm";
 
 const std::vector<Bad> bad_expressions = {
@@ -99,9 +104,11 @@ const std::vector<Bad> bad_expressions = {
     {"", {{1, "expected a stack such as 'air | water 300nm | air', got the end"}}},
     {"  \t ", {{1, "expected a stack such as"}}},
     {"air", {{4, "expected '|' and a second medium"}}},
-    {"|", {{1, medium_expected}, {2, medium_expected}}},
-    {"air |", {{6, "expected a medium (a number, a name or file:PATH), got the end"}}},
-    {"air || air", {{6, "expected a medium (a number, a name or file:PATH), got '|'"}}},
+    {"|", {{1, medium_expected}}},
+    {"||||", {{1, medium_expected}}},
+    {"air | | | water 3nm | | air", {{7, medium_expected}, {23, medium_expected}}},
+    {"air |", {{6, "expected a medium (a number, a name, file:PATH or mix(...)), got the end"}}},
+    {"air || air", {{6, "expected a medium (a number, a name, file:PATH or mix(...)), got '|'"}}},
     {"air | water 300nm | ", {{21, medium_expected}}},
     {"air | water 300nm air", {{19, "expected '|' or 'incoherent', got 'air'"}}},
     {"air water | air", {{5, "expected a thickness such as 300nm, got 'water'"}}},
@@ -117,9 +124,11 @@ const std::vector<Bad> bad_expressions = {
     {"air | watr 300nm | watr 300nm | air", {{7, "unknown medium 'watr'"}}},
     {"air | w\u00E4sser 300nm | airr", {{7, "unknown medium 'w\u00E4sser'"}, {22, "unknown medium 'airr'"}}},
     {"\u00E9 | 1", {{1, "unknown medium"}}},
-    {"air | 300nm | air", {{7, "expected a medium (a number, a name or file:PATH) before the thickness, got '300nm'"}}},
-    {"air | incoherent | air", {{7, "expected a medium (a number, a name or file:PATH) and a thickness before"}}},
-    {"air | % 3nm | air", {{7, "expected a medium (a number, a name or file:PATH), got '%'"}}},
+    {"air | 300nm | air",
+     {{7, "expected a medium (a number, a name, file:PATH or mix(...)) before the thickness, got '300nm'"}}},
+    {"air | incoherent | air",
+     {{7, "expected a medium (a number, a name, file:PATH or mix(...)) and a thickness before"}}},
+    {"air | % 3nm | air", {{7, "expected a medium (a number, a name, file:PATH or mix(...)), got '%'"}}},
     {"air | \"a b.csv\" 3nm | air", {{7, "expected file: before a quoted path"}}},
     {"air | nan 3nm | Inf", {{7, "expected a finite index, got 'nan'"}, {17, "expected a finite index, got 'Inf'"}}},
     // numbers
@@ -168,9 +177,15 @@ const std::vector<Bad> bad_expressions = {
     {"air | (1.3 1nm)^2.5 | air", {{17, "expected a whole number 1..1000 after '^', got '2.5'"}}},
     {"air | (1.3 1nm)^99999999999999999999 | air", {{17, "expected a whole number 1..1000"}}},
     {"air | (1.3)^2 | air", {{11, thickness_expected}}},
-    {"air | ()^2 | air", {{8, "expected a medium (a number, a name or file:PATH), got ')'"}}},
+    {"air | ()^2 | air", {{8, "expected a medium (a number, a name, file:PATH or mix(...)), got ')'"}}},
     {"air | (1.3 1nm | )^2 | air", {{18, medium_expected}}},
     {"air | (1.3 1nm | air", {{7, "expected ')' to close this '('"}, {21, thickness_expected}}},
+    {"air | ((((1.3 1nm | air", {{7, "expected ')' to close this '(' and 3 more within it"}, {24, thickness_expected}}},
+    {"((((((1.33 300nm))))))",
+     {{1, "expected a first medium without thickness before a group"},
+      {18, "expected '^' and a count 1..1000 after ')'"}}},
+    {"air | ((1.3 1nm)) | (1.4 1nm) | air", {{17, "expected '^' and a count"}, {31, "expected '^' and a count"}}},
+    {"air | 1.3 1nm)))) | air", {{14, "expected '(' before this ')'"}}},
     {"air | 1.3 1nm)^2 | air", {{14, "expected '(' before this ')'"}}},
     {"air | (1.3 1nm)^2 1.4 1nm | air", {{19, "expected '|', got '1.4'"}}},
     {"air | 1.4 1nm (1.3 1nm)^2 | air", {{15, "expected '|', got '('"}}},
@@ -182,6 +197,24 @@ const std::vector<Bad> bad_expressions = {
     {"air | file:\"a b.csv 3nm | air", {{12, "expected '\"' to close the path that starts here"}}},
     {"air | file:\"a\"b 3nm | air", {{15, "expected white space or '|' after the path, got 'b'"}}},
     {"air | file:gone.csv 3nm | air", {{12, "cannot open gone.csv"}}},
+    // mixtures
+    {"air | mix(water 70%, glycerol 20%) 3nm | air",
+     {{7, "expected shares that make up 100%, got 90%; the last part may leave its share out"}}},
+    {"air | mix(water 70%, glycerol 40%, 1.5) 3nm | air", {{7, "expected shares that make up 100%, got 110%"}}},
+    {"air | mix(water 70%, glycerl 30%) 3nm | air", {{22, "unknown medium 'glycerl'; did you mean 'glycerol'?"}}},
+    {"air | mix(watr 70%, glycerl 30%) 3nm | air", {{11, "unknown medium 'watr'"}, {21, "unknown medium 'glycerl'"}}},
+    {"air | mix(water, glycerol 30%) 3nm | air", {{16, "expected a share of the volume such as 70%, got ','"}}},
+    {"air | mix(water) 3nm | air", {{16, "expected a share of the volume such as 70%, got ')'"}}},
+    {"air | mix(water 70, glycerol 30%) 3nm | air", {{19, "expected '%' after the share, got ','"}}},
+    {"air | mix(water 170%, 1.5 -70%) 3nm | air", {{17, "expected a share of 0..100%, got '170%'"}}},
+    {"air | mix() 3nm | air", {{11, "expected a medium (a number, a name, file:PATH or mix(...)), got ')'"}}},
+    {"air | mix(water 70% glycerol 30%) 3nm | air", {{21, "expected ',' or ')', got 'glycerol'"}}},
+    {"air | mix(water 70%, glycerol 30% 3nm | air", {{35, "expected ',' or ')', got '3nm'"}}},
+    {"air | mix(water 70%, glycerol 30%", {{10, "expected ')' to close the mixture that starts here"}}},
+    {"air | mix(water 50%, mix(water 50%, 1.5) ) 3nm | air", {{22, "expected no mixture within a mixture"}}},
+    {"air | mix(water 70%, glycerol 30%) | air", {{35, thickness_expected}}},
+    {"air | mix 3nm | air", {{7, "unknown medium 'mix'"}}},
+    {"Q | 1", {{1, "unknown medium 'Q'; known: vacuum, air,"}}},
     // several at once
     {"air | watr 300 | -1 5nm | 1.3 | air 4nm",
      {{7, "unknown medium"},
@@ -290,6 +323,61 @@ TEST(StackExpression, MutilatedTexts) {
       mutilated[i] = c;
       check(mutilated);
     }
+  }
+}
+
+// Random changes, several at a time: always a stack or at least one placed problem, never many for a short text.
+TEST(StackExpression, RandomlyMutatedTexts) {
+  const std::vector<std::string> texts = {
+      "air | (2.4+0.01i 0.2um | file:\"a b\" 3 nm incoherent)^10 | water",
+      "air | mix(water 70%, glycerol 30%) 300nm | mix(1.5+0.1i 20%, file:a.csv 30%, SiO2) 1mm incoherent | N-BK7",
+      "1 | ((ZnS 58nm | MgF2 99nm)^3 | mix(water 50%, 2i) 1nm)^2 | Al2O3"};
+  const std::string pool = "|()^+-.0159eEi \t\",%:nmuwatrmixfile\xC2\xB5\xFF";
+  std::mt19937 random(20240511);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  int good = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    std::string text = texts[below(texts.size())];
+    for (std::size_t change = 1 + below(4); change > 0 && !text.empty(); --change) {
+      const std::size_t at = below(text.size());
+      switch (below(4)) {
+        case 0:
+          text.erase(at, 1 + below(5));
+          break;
+        case 1:
+          text.insert(at, 1, pool[below(pool.size())]);
+          break;
+        case 2:
+          text[at] = pool[below(pool.size())];
+          break;
+        default:
+          text.insert(at, text.substr(below(text.size()), 1 + below(12)));
+      }
+    }
+    const auto stack = parse_stack(text, resolve);
+    if (stack.ok()) {
+      ++good;
+      continue;
+    }
+    ASSERT_FALSE(stack.errors().empty()) << text;
+    EXPECT_LE(stack.errors().size(), 20u) << text << "\n" << to_text(stack.errors());
+    for (const Diagnostic& error : stack.errors()) {
+      EXPECT_GE(error.column, 1) << text;
+      EXPECT_LE(error.column, static_cast<int>(text.size()) + 1) << text;
+    }
+  }
+  EXPECT_GT(good, 200);
+}
+
+TEST(StackExpression, OneMediumAlone) {
+  EXPECT_EQ(parse_medium(" Water ")->name(), "water");
+  EXPECT_EQ(parse_medium("2.4 + 0.1i")->index(500), Complex(2.4, 0.1));
+  EXPECT_EQ(parse_medium("mix(water 70%, glycerol)")->name(), "mix(water 70%, glycerol 30%)");
+  EXPECT_EQ(parse_medium("file:\"a b\"", resolve)->name(), "a b");
+  for (const char* text : {"", "  ", "watr", "water 300nm", "water | air", "mix(water", "%", "1.5x", "file:gone.csv"}) {
+    const auto medium = parse_medium(text, resolve);
+    ASSERT_FALSE(medium.ok()) << text;
+    EXPECT_EQ(medium.errors().size(), 1u) << text << "\n" << to_text(medium.errors());
   }
 }
 
