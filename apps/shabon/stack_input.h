@@ -28,7 +28,7 @@ inline constexpr const char* stack_help =
     R"(STACK: media and layers from the side the light comes from, separated by '|'.
 The first and last medium have no thickness; a layer is a medium and a thickness (nm, um, mm, cm).
 A medium is a name ('shabon media' lists them), an index such as 1.33 or 2.4+0.01i, or file:PATH (n and k).
-At most one layer is computed at present.
+A layer may be 'incoherent' (too thick to interfere); '( ... )^10' repeats a group.
 )";
 
 }  // namespace shabon::app

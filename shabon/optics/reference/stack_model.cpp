@@ -12,7 +12,7 @@ namespace shabon::optics {
 Status check_model(const Stack& stack, Interference model) {
   if (model == Interference::airy || stack.layers.size() <= 1) return Done{};
   return fail(Failure::content, std::string(name_of(model)) + " is a model of one layer, got " +
-                                    std::to_string(stack.layers.size()) + "; airy is the exact one for any stack");
+                                    std::to_string(stack.layers.size()) + "; use airy, which is exact for any stack");
 }
 
 Powers model_powers(const Stack& stack, Interference model, Incidence incidence, double wavelength_nm) {
