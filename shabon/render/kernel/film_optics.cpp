@@ -1,7 +1,6 @@
 #include "shabon/render/kernel/film_optics.h"
 
-#include "shabon/optics/reference/no_interference.h"
-#include "shabon/optics/reference/two_beam.h"
+#include "shabon/optics/reference/mueller.h"
 
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
@@ -19,27 +18,37 @@ optics::MuellerBlock<lane_count> block(const Complex& x_s, const Complex& x_p, c
   return {to_float((s + p) * 0.5), to_float((s - p) * 0.5), to_float(both.re), to_float(both.im)};
 }
 
-// The models without phases between s and p: lane by lane from the reference. Their light keeps what linear
-// polarisation the powers leave; the sign of c is that of the first wall.
+// One block of the reference, lane by lane.
+class BlockOfRows {
+ public:
+  void set(int lane, const optics::MuellerRow& row) {
+    const double values[] = {row.a, row.b, row.c, row.d};
+    for (int k = 0; k < 4; ++k) values_[k][lane] = static_cast<float>(values[k]);
+  }
+  optics::MuellerBlock<lane_count> block() const {
+    return {Lanes::load(values_[0]), Lanes::load(values_[1]), Lanes::load(values_[2]), Lanes::load(values_[3])};
+  }
+
+ private:
+  alignas(64) float values_[4][lane_count];
+};
+
+// The models other than airy.
 Mueller from_reference(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
                        double thickness_nm) {
-  const optics::Incidence incidence = optics::incidence_from_cos(cos_i);
-  const bool paper = tables.scene.render.interference == optics::Interference::two_beam;
-  float R_s[lane_count], R_p[lane_count], T_s[lane_count], T_p[lane_count];
+  const double cos2 = std::max(cos_i * cos_i, optics::least_cos2);
+  const optics::Incidence incidence = optics::incidence_from_cos(std::sqrt(cos2));
+  BlockOfRows reflected, transmitted;
   for (int i = 0; i < lane_count; ++i) {
     const double n1 = std::sqrt(tables.combs[comb].medium_n_squared[i]);
     const std::complex<double> n2(film.n_lanes[comb][0][i], film.n_lanes[comb][1][i]);
     const double wavelength_nm = 1 / tables.combs[comb].inverse_wavelength_per_nm[i];
-    const optics::Powers p = paper ? optics::two_beam(n1, n2, n1, thickness_nm, incidence, wavelength_nm)
-                                   : optics::without_interference(n1, n2, n1, thickness_nm, incidence, wavelength_nm);
-    R_s[i] = static_cast<float>(p.R_s), R_p[i] = static_cast<float>(p.R_p);
-    T_s[i] = static_cast<float>(p.T_s), T_p[i] = static_cast<float>(p.T_p);
+    const optics::FilmRows rows =
+        optics::film_rows(tables.scene.render.interference, n1, n2, n1, thickness_nm, incidence, wavelength_nm);
+    reflected.set(i, rows.reflected);
+    transmitted.set(i, rows.transmitted);
   }
-  Powers p{Lanes::load(R_s), Lanes::load(R_p), Lanes::load(T_s), Lanes::load(T_p)};
-  if (paper) p = wall_averages(p);
-  const Lanes half(0.5f), zero(0.0f);
-  return {{half * (p.R_s + p.R_p), half * (p.R_s - p.R_p), -sqrt(p.R_s * p.R_p), zero},
-          {half * (p.T_s + p.T_p), half * (p.T_s - p.T_p), sqrt(p.T_s * p.T_p), zero}};
+  return {reflected.block(), transmitted.block()};
 }
 
 }  // namespace

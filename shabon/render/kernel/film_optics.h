@@ -27,9 +27,15 @@ inline Mueller without_phase_mueller(const Powers& p, const Lanes& rho_sp, const
           {half * (p.T_s + p.T_p), half * (p.T_s - p.T_p), through, zero}};
 }
 
-inline Mueller grey_mueller(const Powers& p) {
-  const Lanes zero(0.0f);
-  return {{p.R_s, zero, -p.R_s, zero}, {p.T_s, zero, p.T_s, zero}};
+// The same share of s and p at every wavelength.
+inline Mueller grey_mueller(float reflectance) {
+  const Lanes R(reflectance), T(1 - reflectance), zero(0.0f);
+  return {{R, zero, -R, zero}, {T, zero, T, zero}};
+}
+
+inline Powers powers_of(const Mueller& m) {
+  return {m.reflected.a + m.reflected.b, m.reflected.a - m.reflected.b, m.transmitted.a + m.transmitted.b,
+          m.transmitted.a - m.transmitted.b};
 }
 
 // The root in double from the root in float: one Newton step.
@@ -107,44 +113,38 @@ inline Mueller film_mueller(optics::Interference mode, const Crossing<L, D>& at)
 Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
                         double thickness_nm);
 
-// One event: what the film does to a path whose events all lie in one plane.
-inline Powers event_powers(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
+// One event by the kind of its film: what `of_crossing` makes of a lossless one, `of_mueller` of the blocks of any
+// other.
+template <class OfCrossing, class OfMueller>
+inline auto film_at_event(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb,
+                          const OfCrossing& of_crossing, const OfMueller& of_mueller) {
   const FilmTable& film = *block.film[lane];
   const auto mode = tables.scene.render.interference;
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
     case FilmKind::constant:
-      return film_powers(mode, constant_crossing(tables, block, lane, per_wavelength));
+      return of_crossing(mode, constant_crossing(tables, block, lane, per_wavelength));
     case FilmKind::dispersive:
-      return film_powers(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
-    case FilmKind::grey: {
-      const Lanes R(tables.grey_reflectance), T(1 - tables.grey_reflectance);
-      return {R, R, T, T};
-    }
+      return of_crossing(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
+    case FilmKind::grey:
+      return of_mueller(grey_mueller(tables.grey_reflectance));
     case FilmKind::general:
       break;
   }
-  const Mueller m = general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
-  return {m.reflected.a + m.reflected.b, m.reflected.a - m.reflected.b, m.transmitted.a + m.transmitted.b,
-          m.transmitted.a - m.transmitted.b};
+  return of_mueller(general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]));
+}
+
+// What the film does to a path whose events all lie in one plane.
+inline Powers event_powers(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
+  return film_at_event(
+      tables, block, lane, comb, [](auto mode, const auto& at) { return film_powers(mode, at); }, powers_of);
 }
 
 // The same for any other path.
 inline Mueller event_mueller(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
-  const FilmTable& film = *block.film[lane];
-  const auto mode = tables.scene.render.interference;
-  const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
-  switch (film.kind) {
-    case FilmKind::constant:
-      return film_mueller(mode, constant_crossing(tables, block, lane, per_wavelength));
-    case FilmKind::dispersive:
-      return film_mueller(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
-    case FilmKind::grey:
-      return grey_mueller(event_powers(tables, block, lane, comb));
-    case FilmKind::general:
-      break;
-  }
-  return general_mueller(tables, film, comb, block.cos_i[lane], block.thickness_nm[lane]);
+  return film_at_event(
+      tables, block, lane, comb, [](auto mode, const auto& at) { return film_mueller(mode, at); },
+      [](const Mueller& m) { return m; });
 }
 
 }  // namespace SHABON_REGISTERS
