@@ -17,6 +17,10 @@ scene::Resources file_resources(std::filesystem::path folder,
     if (is_file) tell(folder / std::filesystem::path(name_or_file));
     return resolve(name_or_file, is_file);
   };
+  resources.illuminant = [folder, tell, resolve = illuminant_resolver(folder)](std::string_view text) {
+    if (const auto file = color::illuminant_file(text)) tell(folder / *file);
+    return resolve(text);
+  };
   resources.picture = [folder, tell](const std::string& file) {
     tell(folder / file);
     return io::read_image(folder / file);

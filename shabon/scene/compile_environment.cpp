@@ -46,15 +46,16 @@ class EnvironmentCompiler {
 
   BaseLight base(const ConstantEnvironmentDesc& light) {
     ConstantLight result;
-    result.channel = channel(light.illuminant);
+    result.channel = channel(light.illuminant, below(light));
     result.scale = light.scale;
     return result;
   }
 
   BaseLight base(const GradientEnvironmentDesc& light) {
     GradientLight result;
-    result.up_channel = channel(light.up.illuminant);
-    result.down_channel = channel(light.down.illuminant);
+    const Path gradient = below(light);
+    result.up_channel = channel(light.up.illuminant, Path{&gradient, "up"});
+    result.down_channel = channel(light.down.illuminant, Path{&gradient, "down"});
     result.up_scale = light.up.scale;
     result.down_scale = light.down.scale;
     return result;
@@ -69,9 +70,9 @@ class EnvironmentCompiler {
     return result;
   }
 
-  Softbox softbox(const SoftboxDesc& light) {
+  Softbox softbox(const SoftboxDesc& light, const Path& place) {
     const math::Vec3d direction = unit(light.direction);
-    const int lamp = channel(light.illuminant);
+    const int lamp = channel(light.illuminant, place);
     if (const auto* round = std::get_if<RoundShapeDesc>(&light.shape))
       return round_softbox(direction, radians(round->half_angle_deg), lamp, light.scale);
     const auto& window = std::get<WindowShapeDesc>(light.shape);
@@ -82,11 +83,29 @@ class EnvironmentCompiler {
   std::vector<color::Spectrum> channels;
 
  private:
-  // One channel for each lamp that is used, whatever spelling its name has.
-  int channel(const std::string& illuminant) {
-    const color::Illuminant* lamp = color::find_illuminant(illuminant);
-    const auto [entry, added] = channel_of_.try_emplace(lamp, static_cast<int>(channels.size()));
-    if (added) channels.push_back(lamp != nullptr ? color::lamp_radiance(*lamp) : color::Spectrum{});
+  template <class Light>
+  Path below(const Light&) const {
+    return Path{&path_, about(Of<Light>{}).name};
+  }
+
+  // One channel for each lamp that is used, whatever spelling its name has. `light` is what names the lamp.
+  int channel(const std::string& illuminant, const Path& light) {
+    const auto [entry, added] = channel_of_.try_emplace(illuminant, static_cast<int>(channels.size()));
+    if (!added) return entry->second;
+    const Path place{&light, "illuminant"};
+    color::Spectrum radiance{};
+    if (!problems_.has(place)) {
+      const Result<color::Illuminant> lamp = resources_.illuminant(illuminant);
+      if (lamp) {
+        const auto [same, is_new] = channel_of_lamp_.try_emplace(lamp->name, entry->second);
+        if (!is_new) return entry->second = same->second;
+        radiance = color::lamp_radiance(*lamp);
+        if (!lamp->note.empty()) problems_.add_warning(place, lamp->note);
+      } else {
+        for (const Diagnostic& error : lamp.errors()) problems_.add_from_file(place, error);
+      }
+    }
+    channels.push_back(radiance);
     return entry->second;
   }
 
@@ -117,7 +136,8 @@ class EnvironmentCompiler {
   const Path& path_;
   const Resources& resources_;
   Problems& problems_;
-  std::map<const color::Illuminant*, int> channel_of_;
+  std::map<std::string, int> channel_of_;       // by what the scene says
+  std::map<std::string, int> channel_of_lamp_;  // by the lamp's own name
 };
 
 }  // namespace
@@ -127,7 +147,11 @@ Environment compile_environment(const EnvironmentDesc& description, const Path& 
   EnvironmentCompiler compiler(path, resources, problems);
   Environment environment;
   environment.base = std::visit([&](const auto& light) { return compiler.base(light); }, description.base);
-  for (const SoftboxDesc& softbox : description.softboxes) environment.softboxes.push_back(compiler.softbox(softbox));
+  const Path softboxes{&path, "softboxes"};
+  for (const SoftboxDesc& softbox : description.softboxes) {
+    const Path place{&softboxes, {}, static_cast<int>(environment.softboxes.size())};
+    environment.softboxes.push_back(compiler.softbox(softbox, place));
+  }
   environment.channels = std::move(compiler.channels);
   return environment;
 }

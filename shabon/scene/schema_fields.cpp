@@ -34,12 +34,6 @@ void check_film(const FilmDescription& film, const Path& path, Problems& problem
 
 }  // namespace
 
-std::vector<std::string_view> illuminant_names() {
-  std::vector<std::string_view> names;
-  for (const color::Illuminant& lamp : color::illuminants()) names.push_back(lamp.name);
-  return names;
-}
-
 const Mapping& scene_schema() { return mapping_of<SceneDesc>(); }
 
 void check(const ImageDesc& image, const Path& path, Problems& problems) {
@@ -65,7 +59,16 @@ void check(const CameraDesc& camera, const Path& path, Problems& problems) {
     problems.add(upwards, "expected a direction that is not parallel to the view, got " + value_text(camera.up));
 }
 
+// A file is read when the scene is compiled.
+void check(const LampDesc& lamp, const Path& path, Problems& problems) {
+  const Path illuminant{&path, "illuminant"};
+  if (problems.has(illuminant) || color::illuminant_file(lamp.illuminant)) return;
+  if (const auto found = color::illuminant_named(lamp.illuminant); !found)
+    problems.add(illuminant, found.errors().front().message);
+}
+
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
+  check(static_cast<const LampDesc&>(softbox), path, problems);
   const Path direction{&path, "direction"};
   if (!problems.has(direction) && length_of(softbox.direction) < shortest_vector)
     problems.add(direction, "expected a direction, got " + value_text(softbox.direction));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shabon/base/field.h"
+#include "shabon/optics/stack.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/schema_build.h"
 
@@ -26,9 +27,8 @@ inline constexpr Range seed_range{.low = 0};
 // Below 1e-7, where a probe cuts too, the tree of paths grows and the picture does not change.
 inline constexpr Range split_range{.low = 1e-7, .high = 1};
 inline constexpr Range depth_range{.low = 1, .high = 1024};
+inline constexpr Range layer_range{.low = 1, .high = optics::most_layers};
 inline constexpr double most_pixels = 1 << 28;
-
-std::vector<std::string_view> illuminant_names();
 
 constexpr auto fields(Of<ImageDesc>) {
   return std::tuple{
@@ -68,7 +68,10 @@ constexpr auto fields(Of<RenderDesc>) {
 
 constexpr auto fields(Of<LampDesc>) {
   return std::tuple{
-      Field{"illuminant", &LampDesc::illuminant, {.names = illuminant_names, .doc = "lamp that gives the spectrum"}},
+      Field{"illuminant",
+            &LampDesc::illuminant,
+            {.doc = "lamp that gives the spectrum: a name such as D65, A, FL11, LED-B3 (`shabon lamps` lists them), "
+                    "blackbody:3000K, daylight:5000K, or file:PATH"}},
       Field{"scale", &LampDesc::scale, {.range = scale_range, .doc = "brightness; 1 has Y = 1 when seen directly"}}};
 }
 
@@ -147,10 +150,16 @@ constexpr auto fields(Of<MediumFilmDesc>) {
 
 constexpr About about(Of<StackFilmDesc>) { return {.name = "stack", .doc = "a stack expression", .flat = true}; }
 constexpr auto fields(Of<StackFilmDesc>) {
-  return std::tuple{Field{
-      "stack",
-      &StackFilmDesc::stack,
-      {.required = true, .doc = "instead: outside | film and thickness | inside, as in \"air | water 300nm | air\""}}};
+  return std::tuple{
+      Field{"stack",
+            &StackFilmDesc::stack,
+            {.required = true, .doc = "instead: outside | layers | inside, as in \"air | water 300nm | air\""}},
+      Field{"thickness",
+            &StackFilmDesc::thickness,
+            {.doc = "with a stack: the thickness of one of its layers, in place of the one written there"}},
+      Field{"thickness_layer",
+            &StackFilmDesc::thickness_layer,
+            {.range = layer_range, .doc = "which one, counted from 1 at the outside; not needed for a single layer"}}};
 }
 
 constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }
@@ -175,6 +184,7 @@ constexpr auto fields(Of<SceneDesc>) {
 // Rules between members of one struct. They keep silent where the members themselves are wrong.
 void check(const ImageDesc& image, const Path& path, Problems& problems);
 void check(const CameraDesc& camera, const Path& path, Problems& problems);
+void check(const LampDesc& lamp, const Path& path, Problems& problems);
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems);
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems);
 void check(const MediumFilmDesc& film, const Path& path, Problems& problems);

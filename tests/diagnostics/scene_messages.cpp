@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -53,6 +54,13 @@ Result<optics::Medium> broken_files(std::string_view name, bool is_file) {
   return errors;
 }
 
+Result<color::Illuminant> lamps(std::string_view text) {
+  const auto file = color::illuminant_file(text);
+  if (!file) return color::illuminant_named(text);
+  if (*file != "short.csv") return broken_files(*file, true).errors();
+  return color::illuminant_from_samples("file:short.csv", "", std::array{400.0, 700.0}, std::array{1.0, 1.0});
+}
+
 io::RgbImage one_pixel(std::vector<float> rgb, int negatives = 0) {
   io::RgbImage image;
   image.width = image.height = 1;
@@ -71,6 +79,7 @@ Result<io::RgbImage> pictures(const std::string& file) {
 std::string messages_of(const std::string& name) {
   Resources resources;
   resources.medium = broken_files;
+  if (!name.starts_with("no_files")) resources.illuminant = lamps;
   if (!name.starts_with("no_files")) resources.picture = pictures;
   Diagnostics warnings;
   const Result<Scene> scene = load_scene(content_of(folder / (name + ".yaml")), "scene.yaml",

@@ -76,6 +76,8 @@ void expect_built_in(const Csv& csv, std::span<const Table> tables) {
 TEST(Tables, EveryFileIsBuiltIn) {
   for (const Csv& csv : files_beginning_with("observer_")) expect_built_in(csv, tables::observers());
   for (const Csv& csv : files_beginning_with("illuminant_")) expect_built_in(csv, tables::illuminants());
+  for (const Csv& csv : files_beginning_with("illuminants_")) expect_built_in(csv, tables::lamp_series());
+  for (const Csv& csv : files_beginning_with("daylight_")) expect_built_in(csv, tables::daylight());
   for (const Csv& csv : files_beginning_with("rgb_basis")) expect_built_in(csv, tables::rgb_basis());
 }
 
@@ -89,7 +91,7 @@ TEST(Tables, EveryFileIsNamedAmongTheLicences) {
 }
 
 TEST(Tables, CoverTheObserversRangeAtOneNanometre) {
-  for (const auto list : {tables::observers(), tables::illuminants(), tables::rgb_basis()}) {
+  for (const auto list : {tables::observers(), tables::illuminants(), tables::lamp_series(), tables::rgb_basis()}) {
     for (const Table& table : list) {
       SCOPED_TRACE(table.name);
       for (const auto text : {table.description, table.unit, table.source, table.licence}) EXPECT_FALSE(text.empty());
@@ -101,11 +103,20 @@ TEST(Tables, CoverTheObserversRangeAtOneNanometre) {
   }
 }
 
+TEST(Tables, DaylightCoversTheObserversRange) {
+  const Table& table = tables::daylight().front();
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_LE(table.columns[0].front(), first_nm);
+  EXPECT_GE(table.columns[0].back(), last_nm);
+  for (std::size_t i = 1; i < table.columns[0].size(); ++i) EXPECT_EQ(table.columns[0][i] - table.columns[0][i - 1], 5);
+}
+
 TEST(Tables, AreFoundByNameInAnyCase) {
   for (const Observer& observer : observers()) EXPECT_EQ(find_observer(lower(observer.name)), &observer);
   for (const Illuminant& lamp : illuminants()) EXPECT_EQ(find_illuminant(lower(lamp.name)), &lamp);
   EXPECT_EQ(find_observer("1931"), &observer_1931());
   EXPECT_EQ(find_illuminant("d65"), &illuminants().front());
+  for (const char* name : {"1931", "1964", "2015-2", "2015-10"}) EXPECT_TRUE(find_observer(name)) << name;
   for (const char* lamp : {"D65", "A", "E"}) EXPECT_TRUE(find_illuminant(lamp)) << lamp;
   EXPECT_EQ(find_illuminant("D66"), nullptr);
   EXPECT_EQ(find_observer(""), nullptr);

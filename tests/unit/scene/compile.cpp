@@ -123,6 +123,33 @@ TEST(Compile, mixes_a_gradient_by_height) {
   EXPECT_NEAR(luminance(scene, {1, 0, 0}), 2, 1e-12);
 }
 
+TEST(Compile, gives_every_lamp_one_channel_whatever_its_spelling) {
+  SceneDesc description;
+  const char* spellings[] = {"FL11", "f11", "blackbody:2856K", "Blackbody: 2856", "file:mine.csv", "file:mine.csv"};
+  for (const char* spelling : spellings) {
+    SoftboxDesc softbox;
+    softbox.illuminant = spelling;
+    softbox.shape = RoundShapeDesc{10};
+    softbox.scale = 2;
+    description.environment.softboxes.push_back(softbox);
+  }
+  int read = 0;
+  Resources resources;
+  resources.illuminant = [&read](std::string_view text) -> Result<color::Illuminant> {
+    if (!color::illuminant_file(text)) return color::illuminant_named(text);
+    ++read;
+    return color::illuminant_from_samples(std::string(text), "", std::array{300.0, 900.0}, std::array{0.0, 1.0});
+  };
+  const Result<Scene> scene = compile(description, resources);
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ(scene->environment.channels.size(), 4u);  // those three and D65, the base
+  EXPECT_EQ(read, 1);
+  EXPECT_NEAR(luminance(*scene, {0, 1, 0}), 1 + 2 * std::size(spellings), 1e-11);
+  const Result<Scene> without_files = compile(description, {});
+  ASSERT_FALSE(without_files.ok());
+  EXPECT_NE(to_text(without_files.errors()).find("no file can be read here"), std::string::npos);
+}
+
 TEST(Compile, adds_softboxes_to_the_base_and_to_each_other) {
   SceneDesc description;
   SoftboxDesc round, window;

@@ -29,6 +29,7 @@ std::string allowed_value(const Key& key) {
   if (key.info.names != nullptr) return std::string(key.info.names().front());
   if (key.type == type_text(Of<math::Vec3d>{}, key.info)) return "[1, 2, " + std::to_string(key.key.size()) + "]";
   if (key.type == type_text(Of<optics::Interference>{}, key.info)) return "none";
+  if (key.key == "illuminant") return "blackbody:3000K";
   if (key.key == "medium") return "1.5";
   if (key.key == "stack") return "air | water 300nm | air";
   if (key.type == type_text(Of<std::string>{}, key.info)) return "text";
