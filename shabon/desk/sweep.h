@@ -20,7 +20,7 @@ struct Sweep {
   optics::Stack stack;                 // the swept layer's own thickness is not used
   std::size_t layer = 0;               // index into stack.layers
   std::vector<double> thicknesses_nm;  // of that layer; 0..optics::largest_thickness_nm, in any order
-  optics::Incidence incidence;
+  optics::Incidence incidence = {};    // along the normal unless said
   Side side = Side::reflected;
   optics::Interference interference = optics::Interference::airy;
 };

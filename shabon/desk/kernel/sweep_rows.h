@@ -1,0 +1,24 @@
+// The thicknesses of a sweep, for many wavelengths at once (48).
+#pragma once
+
+#include <span>
+
+#include "shabon/color/xyz.h"
+#include "shabon/desk/film_spectrum.h"
+#include "shabon/desk/kernel/sweep_table.h"
+
+namespace shabon::desk {
+
+// The unpolarised share at one thickness into `row`, table.padded long.
+void sweep_row(const SweepTable& table, Side side, double thickness_nm, std::span<double> row);
+
+// What each wavelength adds to X, Y and Z for a share of 1: rows of table.padded, 0 in the padding.
+struct XyzRows {
+  std::vector<double> x, y, z;
+};
+
+// The colour of each thickness into `colours`, of the same size.
+void sweep_xyz(const SweepTable& table, Side side, const XyzRows& weights, std::span<const double> thicknesses_nm,
+               std::span<color::Xyz> colours);
+
+}  // namespace shabon::desk
