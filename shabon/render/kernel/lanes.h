@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shabon/math/packet_convert.h"
+#include "shabon/math/packet_sum.h"
 #include "shabon/render/comb.h"
 
 namespace shabon::render {

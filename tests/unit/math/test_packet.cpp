@@ -1,6 +1,7 @@
 // Every operation of packet<T, N> against the same operation on each lane alone, for all sizes: bit by bit.
 #include "shabon/math/packet.h"
 #include "shabon/math/packet_convert.h"
+#include "shabon/math/packet_sum.h"
 
 #include <gtest/gtest.h>
 
