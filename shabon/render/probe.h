@@ -22,11 +22,17 @@ struct ProbeRay {
 ProbeRay pixel_ray(const scene::Scene& scene, double x, double y);
 
 struct ProbeResult {
-  std::vector<double> radiance;  // per nm, one per wavelength; its sum with ybar over 360..830 nm at 1 nm is Y
-  std::uint64_t film_events = 0;
+  std::vector<double> radiance;    // per nm, one per wavelength; its sum with ybar over 360..830 nm at 1 nm is Y
+  std::uint64_t film_events = 0;   // of all trees; up to 32 wavelengths share one
   std::uint64_t cut_branches = 0;  // where the film passed R + T straight on, equation (27)
+  double least_carried =
+      0;  // below this share at all wavelengths a branch was cut: 1e-7, or more where the tree is large
+  // No more than this share of the light was passed straight on instead of being reflected: what the cut may have cost,
+  // relative to the brightest light of the scene, at the worst wavelength.
+  double cut_carried = 0;
 };
 
+// Several wavelengths are computed on as many threads as there are cores; the result does not depend on their number.
 // wavelengths_nm lie within 360..830. Errors: a direction without length, numbers that are not finite, a wavelength
 // outside that range.
 Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::span<const double> wavelengths_nm);

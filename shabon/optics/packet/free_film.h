@@ -19,7 +19,7 @@ inline constexpr double least_cos2 = 1e-16;
 // And Y above this, so that its square is a float where the film has nearly the index of the medium as well.
 inline constexpr float least_crossing = 1e-18f;
 
-// What the two indices alone decide. L is float (constant over the wavelengths) or packet<float, N>, D its double.
+// What the two indices alone decide. L is a number (constant over the wavelengths) or a packet, of float or of double.
 template <class L>
 struct FreeFilmIndices {
   L contrast;  // X = (n2^2 - n1^2)^2
@@ -30,15 +30,23 @@ struct FreeFilmIndices {
 };
 
 template <class D>
-inline auto free_film_indices(D n1_squared, D n2_squared) {
-  using math::narrow;
+inline FreeFilmIndices<D> exact_free_film_indices(D n1_squared, D n2_squared) {
   const D one(1.0), product = n1_squared * n2_squared, step = n2_squared - n1_squared;
-  using L = decltype(narrow(one));
-  return FreeFilmIndices<L>{narrow(step * step), narrow((n1_squared + n2_squared) / product),
-                            narrow(n2_squared / n1_squared), narrow(n1_squared / n2_squared), narrow(one / product)};
+  return {step * step, (n1_squared + n2_squared) / product, n2_squared / n1_squared, n1_squared / n2_squared,
+          one / product};
 }
 
-// What the angle decides: q1^2, q2^2 and kappa = n1^2 sin^2(theta1), each rounded from double.
+// Formed in double and rounded to float.
+template <class D>
+inline auto free_film_indices(D n1_squared, D n2_squared) {
+  using math::narrow;
+  const FreeFilmIndices<D> exact = exact_free_film_indices(n1_squared, n2_squared);
+  using L = decltype(narrow(n1_squared));
+  return FreeFilmIndices<L>{narrow(exact.contrast), narrow(exact.slope), narrow(exact.ratio),
+                            narrow(exact.inverse_ratio), narrow(exact.inverse_product)};
+}
+
+// What the angle decides: q1^2, q2^2 and kappa = n1^2 sin^2(theta1), each formed in double.
 template <class L>
 struct FreeFilmAngle {
   L q1_squared, q2_squared, kappa;
@@ -93,29 +101,29 @@ inline FilmPowers<N> free_film_powers(const FreeFilmFactors<L>& f, math::packet<
 
 // The two blocks of the Mueller row, equation (16): a = (|x_s|^2 + |x_p|^2)/2, b = (|x_s|^2 - |x_p|^2)/2,
 // c + i d = x_s conj(x_p) for x = r and x = t.
-template <int N>
+template <int N, class T = float>
 struct MuellerBlock {
-  math::packet<float, N> a, b, c, d;
+  math::packet<T, N> a, b, c, d;
 };
 
-template <int N>
+template <int N, class T = float>
 struct FilmMueller {
-  MuellerBlock<N> reflected, transmitted;
+  MuellerBlock<N, T> reflected, transmitted;
 };
 
-template <int N, class L>
-inline FilmMueller<N> free_film_mueller(const FreeFilmFactors<L>& f, const FreeFilmTurn<L>& turn,
-                                        const FilmPhase<N>& phase) {
-  using P = math::packet<float, N>;
+template <int N, class T, class L>
+inline FilmMueller<N, T> free_film_mueller(const FreeFilmFactors<L>& f, const FreeFilmTurn<L>& turn,
+                                           const FilmPhase<N, T>& phase) {
+  using P = math::packet<T, N>;
   const P Y(f.crossing), g(f.brewster);
   const P x = P(f.contrast) * phase.sin2;
   const P y = x * g * g;
   const P both_s = Y + x, both_p = Y + y;
   const P one_over = math::reciprocal(both_s * both_p);
   const P over_s = both_p * one_over, over_p = both_s * one_over;
-  const P half(0.5f);
+  const P half(T(0.5));
   const P R_s = x * over_s * half, R_p = y * over_p * half, T_s = Y * over_s * half, T_p = Y * over_p * half;
-  const P in_phase = (Y * (1.0f - phase.sin2) + P(turn.mean) * phase.sin2) * one_over;
+  const P in_phase = (Y * (T(1) - phase.sin2) + P(turn.mean) * phase.sin2) * one_over;
   const P quarter = P(turn.twist) * phase.sin_cos * one_over;
   const P turned = -(x * g);  // H_s H_p u Y: s and p reflect in opposite sense below Brewster's angle
   return {{R_s + R_p, R_s - R_p, turned * in_phase, turned * quarter},

@@ -1,4 +1,4 @@
-// The film's phase for many wavelengths: formed in double, reduced, then float; equation (6).
+// The film's phase for many wavelengths: formed in double, reduced, then float or double; equation (6).
 #pragma once
 
 #include "shabon/math/packet_convert.h"
@@ -7,22 +7,22 @@
 namespace shabon::optics {
 inline namespace SHABON_REGISTERS {
 
-template <int N>
+template <int N, class T = float>
 struct FilmPhase {
-  math::packet<float, N> sin2;     // u = sin^2(beta)
-  math::packet<float, N> sin_cos;  // v = sin(beta) cos(beta)
+  math::packet<T, N> sin2;     // u = sin^2(beta)
+  math::packet<T, N> sin_cos;  // v = sin(beta) cos(beta)
 };
 
 // phase_cycles = n d cos(theta2) / lambda, so that beta = 2 pi phase_cycles. u and v repeat every half cycle. Both come
 // out with a small relative error also where they vanish, which the narrow fringes at grazing incidence need.
-template <int N>
-inline FilmPhase<N> film_phase(math::packet<double, N> phase_cycles) {
+template <class T = float, int N>
+inline FilmPhase<N, T> film_phase(math::packet<double, N> phase_cycles) {
   const math::packet<double, N> half_turns = phase_cycles + phase_cycles;
-  const auto x = math::convert<float>(half_turns - math::round(half_turns));
+  const auto x = math::convert<T>(half_turns - math::round(half_turns));
   const auto s = math::sin_pi_reduced(x);
   // cos(pi x) = 1 - 2 sin^2(pi x / 2) has no cancellation for |x| <= 1/2, and a positive sign there.
-  const auto h = math::sin_pi_reduced(x * 0.5f);
-  const auto c = 1.0f - 2.0f * (h * h);
+  const auto h = math::sin_pi_reduced(x * T(0.5));
+  const auto c = T(1) - T(2) * (h * h);
   return {s * s, s * c};
 }
 

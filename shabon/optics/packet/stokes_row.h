@@ -6,20 +6,21 @@
 namespace shabon::optics {
 inline namespace SHABON_REGISTERS {
 
-template <int N>
+template <int N, class T = float>
 struct StokesRow {
-  math::packet<float, N> q0, q1, q2, q3;
+  math::packet<T, N> q0, q1, q2, q3;
 };
 
 // Into the frame turned by phi from s towards p, equation (15).
-template <int N>
-inline StokesRow<N> rotated(const StokesRow<N>& row, float cos_2phi, float sin_2phi) {
+template <int N, class T>
+inline StokesRow<N, T> rotated(const StokesRow<N, T>& row, std::type_identity_t<T> cos_2phi,
+                               std::type_identity_t<T> sin_2phi) {
   return {row.q0, row.q1 * cos_2phi + row.q2 * sin_2phi, row.q2 * cos_2phi - row.q1 * sin_2phi, row.q3};
 }
 
 // The row before a film event whose row after it is `row`, both in the plane of incidence, equation (16).
-template <int N>
-inline StokesRow<N> through(const StokesRow<N>& row, const MuellerBlock<N>& m) {
+template <int N, class T>
+inline StokesRow<N, T> through(const StokesRow<N, T>& row, const MuellerBlock<N, T>& m) {
   return {m.a * row.q0 + m.b * row.q1, m.b * row.q0 + m.a * row.q1, m.c * row.q2 + m.d * row.q3,
           m.c * row.q3 - m.d * row.q2};
 }

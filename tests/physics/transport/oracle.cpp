@@ -1,7 +1,10 @@
 #include "oracle.h"
 
+#include <pthread.h>
+
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 
@@ -266,10 +269,8 @@ Matrix eye(const scene::CameraDesc& camera, const Ray& ray, const Vec3d& d) {
   return result;
 }
 
-}  // namespace
-
-Answer arriving(const scene::SceneDesc& scene, const Ray& ray, const std::vector<double>& wavelengths_nm,
-                const Limits& limits) {
+Answer trace(const scene::SceneDesc& scene, const Ray& ray, const std::vector<double>& wavelengths_nm,
+             const Limits& limits) {
   Answer answer;
   answer.from_the_eye.assign(wavelengths_nm.size(), 0.0);
   Tree tree(scene, wavelengths_nm, limits, answer);
@@ -278,6 +279,31 @@ Answer arriving(const scene::SceneDesc& scene, const Ray& ray, const std::vector
   const Tree::Field light = tree.follow(to_real(ray.origin), direction, tree.holders(to_real(ray.origin), direction), 0,
                                         Tree::Field(wavelengths_nm.size(), analyser));
   for (const Matrix& c : light) answer.radiance.push_back(trace_of_product(analyser, c));
+  return answer;
+}
+
+// A chain of many thousand walls is as many calls deep.
+void with_a_deep_stack(std::function<void()> work) {
+  constexpr std::size_t stack_bytes = std::size_t{1} << 30;  // only what is used becomes memory
+  pthread_attr_t attributes;
+  pthread_t thread;
+  pthread_attr_init(&attributes);
+  const auto run = [](void* task) -> void* {
+    (*static_cast<std::function<void()>*>(task))();
+    return nullptr;
+  };
+  if (pthread_attr_setstacksize(&attributes, stack_bytes) != 0 || pthread_create(&thread, &attributes, run, &work) != 0)
+    throw std::runtime_error("no thread for the oracle");
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+}  // namespace
+
+Answer arriving(const scene::SceneDesc& scene, const Ray& ray, const std::vector<double>& wavelengths_nm,
+                const Limits& limits) {
+  Answer answer;
+  with_a_deep_stack([&] { answer = trace(scene, ray, wavelengths_nm, limits); });
   return answer;
 }
 

@@ -18,7 +18,7 @@ struct Ray {
 
 struct Limits {
   double least_carried = 1e-7;    // a branch that carries less is cut: the film passes R + T straight on
-  int most_events = 1024;         // so is one that has met this many films
+  int most_events = 1 << 17;      // so is one that has met this many films
   int most_two_beam_events = 16;  // the paper's model drops what needs more
 };
 
