@@ -9,13 +9,18 @@
 namespace shabon::api {
 
 // Two forms, told apart by the file's ending:
-//   .yml, .yaml  a file of refractiveindex.info: one `DATA` entry for n (a formula or `tabulated n`/`nk`) and, where
-//   the
-//                medium absorbs, one `tabulated k`. Wavelengths in micrometres, as that database has them.
-//   anything else  comma separated values: wavelength in nm, n and, where the medium absorbs, k. The columns are named
-//                `wavelength_nm` (or `lambda_nm`), `n` and `k`, or stand in this order without a header. '#' comments.
-// The wavelengths rise; n and k are >= 0. Errors: Failure::file when it cannot be read, Failure::content with the place
-// of what is wrong.
+//   .yml, .yaml    a file of refractiveindex.info. Its list DATA has one entry for n (`formula 1` .. `formula 9`,
+//                  `tabulated n` or `tabulated nk`) and, where the medium absorbs, one `tabulated k`. Wavelengths in
+//                  micrometres, as that database has them. Other keys (CONDITIONS, PROPERTIES, SPECS, ...) say nothing
+//                  here.
+//   anything else  comma separated values with '#' comments: the columns `wavelength_nm` (or `lambda_nm`;
+//   `wavelength_um`
+//                  and `lambda_um` hold micrometres, and so does `wl`, as refractiveindex.info writes it), `n` and,
+//                  where the medium absorbs, `k`, in any order; without a header wavelength in nm, n and k stand in
+//                  this order. Names ignore case, blanks, '_' and brackets: `Wavelength (nm)` will do. Other columns
+//                  are errors.
+// The wavelengths rise; n and k are >= 0. Errors: Failure::file when it cannot be read, Failure::content with line,
+// column and what was expected.
 Result<optics::Medium> read_nk_file(const std::filesystem::path& path);
 
 }  // namespace shabon::api

@@ -68,8 +68,9 @@ Result<Medium> Medium::formula(DispersionFormula formula, WavelengthRange range,
   return Medium(std::make_shared<const Content>(Content{std::move(description), std::move(*index)}));
 }
 
-Result<Medium> Medium::table(std::vector<IndexSample> rows, MediumDescription description) {
-  Result<TableIndex> index = table_index(std::move(rows));
+Result<Medium> Medium::table(std::vector<IndexSample> rows, MediumDescription description,
+                             std::optional<WavelengthRange> range) {
+  Result<TableIndex> index = table_index(std::move(rows), range);
   if (!index) return index.errors();
   return Medium(std::make_shared<const Content>(Content{std::move(description), std::move(*index)}));
 }

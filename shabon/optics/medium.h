@@ -67,7 +67,9 @@ class Medium {
 
   // Measured rows, interpolated linearly in wavelength (38). Errors: no rows, wavelengths that are not positive and
   // rising, values that are not finite or above 10000, negative n or k, n and k both 0.
-  static Result<Medium> table(std::vector<IndexSample> rows, MediumDescription description);
+  // `range`: the wavelengths at which both n and k are known, where that is less than the rows cover.
+  static Result<Medium> table(std::vector<IndexSample> rows, MediumDescription description,
+                              std::optional<WavelengthRange> range = {});
 
   // By the rule of Lorentz and Lorenz (39), see mixing.h. Errors: no parts, fractions that do not sum to 1 within 1e-6.
   static Result<Medium> mixture(std::vector<MixturePart> parts, MediumDescription description);

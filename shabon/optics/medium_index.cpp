@@ -18,6 +18,8 @@ constexpr double steepest_per_nm = 0.05;
 constexpr int range_samples = 4096;  // at which a formula is checked
 constexpr double most_sum_error = 1e-6;
 
+constexpr const char* no_common = "expected n and k at common wavelengths";
+
 bool is_index(double n) { return n >= smallest_index && n <= largest_index; }
 
 // How far the formula can be used from `from_nm` towards `to_nm`.
@@ -102,14 +104,14 @@ Result<FormulaIndex> formula_index(DispersionFormula formula, WavelengthRange ra
         i == range_samples ? range.last_nm : range.first_nm * std::pow(ratio, double(i) / range_samples);
     const double n = formula.index(wavelength_nm);
     if (!is_index(n))
-      return fail(Failure::content, "expected a formula that gives a real index of " + format_number(smallest_index) +
-                                        ".." + format_number(largest_index) + " over its range, got none at " +
+      return fail(Failure::content, "expected a formula that gives a real index of 0.0001..10000 over its range, got " +
+                                        (std::isnan(n) ? "none" : format_number(n, 6)) + " at " +
                                         format_number(wavelength_nm, 6) + " nm");
   }
   if (const Diagnostics errors = check_rows(absorption); !errors.empty()) return errors;
   if (!absorption.empty()) {
     const WavelengthRange both = common(range, extent(absorption));
-    if (both.first_nm > both.last_nm) return fail(Failure::content, "expected n and k at common wavelengths");
+    if (both.first_nm > both.last_nm) return fail(Failure::content, no_common);
   }
   const WavelengthRange continued = {
       continued_to(formula, range.first_nm, std::min(range.first_nm, rendered_range_nm.first_nm)),
@@ -117,10 +119,12 @@ Result<FormulaIndex> formula_index(DispersionFormula formula, WavelengthRange ra
   return FormulaIndex{std::move(formula), range, continued, std::move(absorption)};
 }
 
-Result<TableIndex> table_index(std::vector<IndexSample> rows) {
+Result<TableIndex> table_index(std::vector<IndexSample> rows, std::optional<WavelengthRange> range) {
   if (rows.empty()) return fail(Failure::content, "expected at least one row of wavelength, n and k");
   if (const Diagnostics errors = check_rows(rows); !errors.empty()) return errors;
-  return TableIndex{std::move(rows)};
+  const WavelengthRange known = range ? common(*range, extent(rows)) : extent(rows);
+  if (known.first_nm > known.last_nm) return fail(Failure::content, no_common);
+  return TableIndex{std::move(rows), known};
 }
 
 Result<MixtureIndex> mixture_index(std::vector<MixturePart> parts) {
@@ -178,7 +182,7 @@ std::optional<WavelengthRange> range_of(const ConstantIndex&) { return {}; }
 std::optional<WavelengthRange> range_of(const FormulaIndex& formula) {
   return formula.absorption.empty() ? formula.range : common(formula.range, extent(formula.absorption));
 }
-std::optional<WavelengthRange> range_of(const TableIndex& table) { return extent(table.rows); }
+std::optional<WavelengthRange> range_of(const TableIndex& table) { return table.range; }
 std::optional<WavelengthRange> range_of(const MixtureIndex& mixture) {
   std::optional<WavelengthRange> range;
   for (const MixturePart& part : mixture.parts)

@@ -28,6 +28,7 @@ struct FormulaIndex {
 
 struct TableIndex {
   std::vector<IndexSample> rows;
+  WavelengthRange range;  // that the source covers with n and k
   friend bool operator==(const TableIndex&, const TableIndex&) = default;
 };
 
@@ -40,7 +41,7 @@ using MediumIndex = std::variant<ConstantIndex, FormulaIndex, TableIndex, Mixtur
 
 Result<FormulaIndex> formula_index(DispersionFormula formula, WavelengthRange range,
                                    std::vector<AbsorptionSample> absorption);
-Result<TableIndex> table_index(std::vector<IndexSample> rows);
+Result<TableIndex> table_index(std::vector<IndexSample> rows, std::optional<WavelengthRange> range);
 Result<MixtureIndex> mixture_index(std::vector<MixturePart> parts);
 
 std::complex<double> index_at(const ConstantIndex& constant, double wavelength_nm);

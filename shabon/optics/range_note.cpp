@@ -11,6 +11,9 @@ namespace {
 std::string nm(double wavelength_nm) { return format_number(wavelength_nm, 6) + " nm"; }
 std::string held_at(double wavelength_nm) { return "the value at " + nm(wavelength_nm) + " is held"; }
 
+// Of tables of n and of k that do not end together.
+const std::string known_in_part = "one of n and k is known, the end value of the other is held";
+
 void extend(std::optional<AskedBeyond>& side, double wavelength_nm, bool below) {
   if (!side) side = AskedBeyond{wavelength_nm, wavelength_nm};
   const auto [low, high] = std::minmax({side->farthest_nm, side->nearest_nm, wavelength_nm});
@@ -69,12 +72,14 @@ std::string note_above(const FormulaIndex& formula, AskedBeyond asked) {
   return note("above, ", formula, asked, {formula.range.last_nm, formula.continued.last_nm, 1});
 }
 
-std::string note_below(const TableIndex& table, AskedBeyond) {
-  return "below, " + held_at(table.rows.front().wavelength_nm);
+std::string note_below(const TableIndex& table, AskedBeyond asked) {
+  const double end_nm = table.rows.front().wavelength_nm;
+  return "below, " + (asked.farthest_nm < end_nm ? held_at(end_nm) : known_in_part);
 }
 
-std::string note_above(const TableIndex& table, AskedBeyond) {
-  return "above, " + held_at(table.rows.back().wavelength_nm);
+std::string note_above(const TableIndex& table, AskedBeyond asked) {
+  const double end_nm = table.rows.back().wavelength_nm;
+  return "above, " + (asked.farthest_nm > end_nm ? held_at(end_nm) : known_in_part);
 }
 
 }  // namespace shabon::optics
