@@ -13,8 +13,8 @@ struct FilmTerms {
   double decay = 1;                        // e^(-Im beta)
 };
 
-// For a layer with normal_index() `n_c`, thickness_nm >= 0, wavelength_nm > 0. A layer amplifies nothing: of the two
-// roots +-n_c, which give the same answer, the one with Im >= 0 must be passed.
+// For a layer with normal_index() `n_c`, thickness_nm >= 0, wavelength_nm > 0. Of the two roots +-n_c, which make the
+// same layer, the one with Im >= 0.
 FilmTerms film_terms(std::complex<double> n_c, double thickness_nm, double wavelength_nm);
 
 }  // namespace shabon::optics

@@ -15,9 +15,12 @@ Complex forward_root(Complex square) {
 }
 
 Complex normal_index(Complex n1, Incidence incidence, Complex n) {
-  // n^2 c^2 = n^2 - n1^2 sin^2 = (n - n1)(n + n1) + (n1 cos_i)^2: at grazing incidence nothing cancels.
-  const Complex n1_c1 = n1 * incidence.cos_i;
-  return n == n1 ? n1_c1 : forward_root((n - n1) * (n + n1) + n1_c1 * n1_c1);
+  if (n == n1) return n1 * incidence.cos_i;
+  // n^2 c^2 = (n - n1)(n + n1) + (n1 cos_i)^2 = (n - n1 sin_i)(n + n1 sin_i): whichever cancels less, the first towards
+  // grazing incidence, the second towards normal incidence, where the first is nearly n1^2 - n1^2 for a small n.
+  const Complex n1_c1 = n1 * incidence.cos_i, n1_s1 = n1 * incidence.sin_i, difference = (n - n1) * (n + n1);
+  const bool towards_grazing = norm(difference) + norm(n1_c1 * n1_c1) < norm(n * n) + norm(n1_s1 * n1_s1);
+  return forward_root(towards_grazing ? difference + n1_c1 * n1_c1 : (n - n1_s1) * (n + n1_s1));
 }
 
 Complex refracted_cosine(Complex n1, Incidence incidence, Complex n) {

@@ -26,6 +26,11 @@ Crossing crossing_p(const PlaneLayer& layer) {
   return {terms.cos_beta, layer.u.p * terms.sin_beta, layer.n_squared * terms.sin_beta_over_n_c, terms.decay};
 }
 
+PlaneLayer thick_layer(Complex n1, Incidence incidence, Complex n, double thickness_nm, double wavelength_nm) {
+  const Complex n_c = normal_index(n1, incidence, n);
+  return {field_ratios(n, n_c), n * n, film_terms(n_c, thickness_nm, wavelength_nm)};
+}
+
 double cross(TangentialFields& fields, const Crossing& layer) {
   constexpr Complex i(0, 1);
   const TangentialFields far = fields;

@@ -19,7 +19,8 @@ struct FieldRatios {
 
 FieldRatios field_ratios(std::complex<double> n, std::complex<double> n_c);
 
-// A layer at one wavelength and angle.
+// A layer at one wavelength and angle. Its `u` has the sign of a wave that decays forwards; crossing it, both signs
+// give the same.
 struct PlaneLayer {
   FieldRatios u;
   std::complex<double> n_squared;
@@ -27,6 +28,11 @@ struct PlaneLayer {
 };
 
 PlaneLayer plane_layer(std::complex<double> n1, Incidence incidence, std::complex<double> n, double thickness_nm,
+                       double wavelength_nm);
+
+// The same for an incoherent layer, which is never crossed by fields: `u` is that of the wave that goes forward, and
+// the decay is 1 where behind an absorbing medium that wave would grow.
+PlaneLayer thick_layer(std::complex<double> n1, Incidence incidence, std::complex<double> n, double thickness_nm,
                        double wavelength_nm);
 
 // What (31) needs to know of a layer, for one polarisation.

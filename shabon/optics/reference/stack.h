@@ -50,8 +50,9 @@ struct StackPowers {
   std::vector<double> A_s, A_p;  // per layer, from the incidence side: the share of the incident power it absorbs
 };
 
-// (33)-(36): coherent layers and incoherent ones, whose reflections add as intensities. A lossless layer absorbs exactly
-// 0. With a lossless first medium R + T + all A = 1; if it absorbs, incident and reflected light also exchange energy.
+// (33)-(36): coherent layers and incoherent ones, whose reflections add as intensities. A lossless layer absorbs
+// exactly 0. With a lossless first medium R + T + all A = 1; if it absorbs, incident and reflected light also exchange
+// energy.
 StackPowers stack_powers(const ResolvedStack& stack, Incidence incidence, double wavelength_nm);
 StackPowers stack_powers(const Stack& stack, Incidence incidence, double wavelength_nm);
 

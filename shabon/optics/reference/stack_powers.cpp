@@ -41,7 +41,8 @@ std::array<PolarisedStack, 2> polarised(const ResolvedStack& stack, Incidence in
   std::array<PolarisedStack, 2> both = {{{u1.s, {}, u3.s, lossless_incidence}, {u1.p, {}, u3.p, lossless_incidence}}};
   for (PolarisedStack& one : both) one.layers.reserve(stack.layers.size());
   for (const ResolvedLayer& layer : stack.layers) {
-    const PlaneLayer at = plane_layer(stack.n1, incidence, layer.n, layer.thickness_nm, wavelength_nm);
+    const PlaneLayer at =
+        (layer.coherent ? plane_layer : thick_layer)(stack.n1, incidence, layer.n, layer.thickness_nm, wavelength_nm);
     // Heat is Im n^2 times |E|^2. Behind an absorbing first medium fields decay sideways as well, and flux goes there.
     const bool takes_nothing = lossless_incidence && (layer.n.imag() == 0 || layer.n.real() == 0);
     both[0].layers.push_back({at.u.s, crossing_s(at), layer.coherent, takes_nothing});
@@ -180,7 +181,7 @@ OnePolarisation shares(const PolarisedStack& stack, bool grazing) {
       const PolarisedLayer& layer = stack.layers[block.first - 1];
       const double flux_in = forward * block.front.flux - backward * block.back.transmitted * real(layer.u);
       const double taken = layer.takes_nothing ? 0 : flux_before - flux_in;
-      answer.A[block.first - 1] = (stack.lossless_incidence ? std::max(0.0, taken) : taken) * per_incident;
+      answer.A[block.first - 1] = taken * per_incident;
     }
     for (std::size_t m = block.first; m < block.last; ++m)
       answer.A[m] = (forward * all.absorbed_front[m] + backward * all.absorbed_back[m]) * per_incident;
