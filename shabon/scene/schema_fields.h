@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "shabon/base/field.h"
-#include "shabon/optics/stack.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/schema_build.h"
 
@@ -27,7 +26,6 @@ inline constexpr Range seed_range{.low = 0};
 // Below 1e-7, where a probe cuts too, the tree of paths grows and the picture does not change.
 inline constexpr Range split_range{.low = 1e-7, .high = 1};
 inline constexpr Range depth_range{.low = 1, .high = 1024};
-inline constexpr Range layer_range{.low = 1, .high = optics::most_layers};
 inline constexpr double most_pixels = 1 << 28;
 
 constexpr auto fields(Of<ImageDesc>) {
@@ -150,16 +148,10 @@ constexpr auto fields(Of<MediumFilmDesc>) {
 
 constexpr About about(Of<StackFilmDesc>) { return {.name = "stack", .doc = "a stack expression", .flat = true}; }
 constexpr auto fields(Of<StackFilmDesc>) {
-  return std::tuple{
-      Field{"stack",
-            &StackFilmDesc::stack,
-            {.required = true, .doc = "instead: outside | layers | inside, as in \"air | water 300nm | air\""}},
-      Field{"thickness",
-            &StackFilmDesc::thickness,
-            {.doc = "with a stack: the thickness of one of its layers, in place of the one written there"}},
-      Field{"thickness_layer",
-            &StackFilmDesc::thickness_layer,
-            {.range = layer_range, .doc = "which one, counted from 1 at the outside; not needed for a single layer"}}};
+  return std::tuple{Field{
+      "stack",
+      &StackFilmDesc::stack,
+      {.required = true, .doc = "instead: outside | film and thickness | inside, as in \"air | water 300nm | air\""}}};
 }
 
 constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }
