@@ -3,7 +3,6 @@
 include(CMakePackageConfigHelpers)
 
 set(SHABON_SOVERSION 0)
-set(SHABON_HWCAPS glibc-hwcaps/x86-64-)  # the folder names that the loader knows: x86-64-v3, x86-64-v4
 file(RELATIVE_PATH SHABON_BIN_TO_LIB ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set(CMAKE_INSTALL_RPATH "$ORIGIN/${SHABON_BIN_TO_LIB}")  # of the programs; the library sits beside none of its own
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
@@ -52,6 +51,7 @@ target_compile_features(libshabon INTERFACE cxx_std_20)
 set_target_properties(libshabon PROPERTIES EXPORT_NAME shabon)
 add_library(shabon::shabon ALIAS libshabon)
 
+shabon_remove_stale_variants(${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
 foreach(level IN LISTS SHABON_WIDE_LEVELS)
   shabon_link_library(libshabon_${level} _${level})
   set_target_properties(libshabon_${level} PROPERTIES

@@ -54,8 +54,19 @@ set(SHABON_WIDE_LEVELS "")
 if(SHABON_WIDE_VARIANTS AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   set(SHABON_WIDE_LEVELS v3 v4)
 endif()
+set(SHABON_HWCAPS glibc-hwcaps/x86-64-)  # the folder names that the loader knows: x86-64-v3, x86-64-v4
 set(SHABON_WIDE_OPTIONS_v3 -march=x86-64-v3)
 set(SHABON_WIDE_OPTIONS_v4 -march=x86-64-v4 -mprefer-vector-width=512)
+
+# What an earlier configuration left in the library folder for levels that are no longer built: the loader would still
+# prefer it to what is built now.
+function(shabon_remove_stale_variants folder)
+  foreach(level v2 v3 v4)
+    if(NOT level IN_LIST SHABON_WIDE_LEVELS)
+      file(REMOVE_RECURSE ${folder}/${SHABON_HWCAPS}${level})
+    endif()
+  endforeach()
+endfunction()
 
 # shabon_variants(NAME SOURCES ... ROOMS ... PACKAGES ... OPTIONS ...): the room as shabon_NAME, and one more target
 # shabon_NAME_v3 and so on for each wide level, all with fused a*b+c where the machine has it.
