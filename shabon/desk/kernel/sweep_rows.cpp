@@ -6,7 +6,6 @@
 #include "shabon/math/packet.h"
 #include "shabon/math/packet_math.h"
 #include "shabon/math/packet_sum.h"
-#include "shabon/math/packet_sum.h"
 
 namespace shabon::desk {
 
