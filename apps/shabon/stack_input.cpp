@@ -3,6 +3,7 @@
 #include "options.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/desk/film_spectrum.h"
+#include "shabon/optics/reference/stack.h"
 #include "shabon/optics/stack_expression.h"
 
 namespace shabon::app {
@@ -12,6 +13,7 @@ void add_stack_input(CLI::App& app, StackInput& input) {
       ->type_name("")
       ->required();
   add_choice(app, "--interference", input.interference_index, optics::interference_models, "Model of interference");
+  app.add_flag("--reverse", input.reversed, "Light from the other side: the last medium is the first");
 }
 
 Result<optics::Stack> read_stack(const StackInput& input) {
@@ -19,7 +21,7 @@ Result<optics::Stack> read_stack(const StackInput& input) {
   if (!stack) return stack;
   const Status computable = desk::check_computable(*stack, input.interference());
   if (!computable) return computable.errors();
-  return stack;
+  return input.reversed ? optics::reversed(*stack) : *stack;
 }
 
 }  // namespace shabon::app

@@ -15,13 +15,14 @@ namespace shabon::app {
 struct StackInput {
   std::string expression;
   std::size_t interference_index = 0;
+  bool reversed = false;  // the light comes from the other side
 
   optics::Interference interference() const { return optics::interference_models[interference_index].value; }
 };
 
 void add_stack_input(CLI::App& app, StackInput& input);
 
-// The stack, when it can be computed. Files are found from the working folder.
+// The stack as the light meets it, when it can be computed. Files are found from the working folder.
 Result<optics::Stack> read_stack(const StackInput& input);
 
 inline constexpr const char* stack_help =
