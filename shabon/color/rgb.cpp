@@ -29,17 +29,18 @@ Xyz linear_srgb_to_xyz(LinearRgb colour) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-double encode_srgb(double linear) {
-  const double value = clip(linear);
-  if (value <= linear_limit) return slope * value;
-  const double power = std::pow(value, 1 / exponent);
+double srgb_curve(double linear) {
+  if (linear <= linear_limit) return slope * linear;
+  const double power = std::pow(linear, 1 / exponent);
   return power + offset * (power - 1);  // 1.055 power - 0.055, and exactly 1 for 1
 }
 
-double decode_srgb(double encoded) {
-  const double value = clip(encoded);
-  return value <= encoded_limit ? value / slope : std::pow((value + offset) / (1 + offset), exponent);
+double srgb_curve_inverse(double encoded) {
+  return encoded <= encoded_limit ? encoded / slope : std::pow((encoded + offset) / (1 + offset), exponent);
 }
+
+double encode_srgb(double linear) { return srgb_curve(clip(linear)); }
+double decode_srgb(double encoded) { return srgb_curve_inverse(clip(encoded)); }
 
 EncodedRgb encode_srgb(LinearRgb colour) {
   return {encode_srgb(colour.r), encode_srgb(colour.g), encode_srgb(colour.b)};

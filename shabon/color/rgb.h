@@ -43,6 +43,10 @@ inline constexpr Matrix3 xyz_to_srgb_matrix = inverse(srgb_to_xyz_matrix);
 LinearRgb xyz_to_linear_srgb(Xyz colour);
 Xyz linear_srgb_to_xyz(LinearRgb colour);
 
+// The curve of (19) for values >= 0, without clipping, and its inverse.
+double srgb_curve(double linear);
+double srgb_curve_inverse(double encoded);
+
 // One component. Clips to 0..1 first; NaN becomes 0.
 double encode_srgb(double linear);
 double decode_srgb(double encoded);
