@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 // then computed as sine and cosine, by the reference.
 constexpr double least_normal_index = 1e-3;
 
-// What gives the light before the stack from the fields at a face inside: 2 u1 times the incident wave is F F1 + G G1.
+// What gives the light before the stack from the fields at a face inside, here F1 and G1: F F1 + G G1.
 struct FrontRow {
   Complex F, G;
 };
@@ -51,14 +51,14 @@ struct Cut {
   void cross_below(const optics::Crossing& layer) { factor *= optics::cross(below, layer); }
 };
 
-// The four numbers of (49).
+// The four numbers of (48).
 struct Square {
   double gap, far, cosine, sine;
   double size() const { return std::abs(gap) + 2 * far; }  // |X0| + |X1|, but for the sign of gap
 };
 
-// (47), (49). gap = |X0| - |X1| is formed from what flows through the layer: by subtraction it would lose its digits at
-// grazing incidence, where both parts of the stack reflect nearly everything.
+// (47) to (49). gap = |X0| - |X1| is formed from what flows through the layer: by subtraction it would lose its digits
+// at grazing incidence, where both parts of the stack reflect nearly everything.
 Square square_of(const FrontRow& row, Complex u, const optics::TangentialFields& below) {
   const Complex Gu = row.G * u, G_u = below.G / u;
   const Complex row_sum = row.F + Gu, row_difference = row.F - Gu;
