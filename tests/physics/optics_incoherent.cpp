@@ -16,10 +16,12 @@ constexpr double lambda_nm = 550;
 TEST(Incoherent, OneLayerIsTheSumOfIntensities) {
   Pcg32 random(41);
   for (int i = 0; i < 2000; ++i) {
-    const std::complex<double> n1 = random.uniform(1, 2), n3 = random_index(random, Absorption::some);
+    const bool absorbing_incidence = i % 5 == 0;
+    const std::complex<double> n1(random.uniform(1, 2), absorbing_incidence ? random.uniform(0, 0.1) : 0);
     const std::complex<double> n2(random.uniform(1, 2.5), i % 2 ? random.uniform(0, 1e-3) : 0);
+    const std::complex<double> n3 = random_index(random, Absorption::some);
     const double d_nm = std::pow(10, random.uniform(2, 7));
-    const Incidence incidence = incidence_from(Degrees(random.uniform(0, 90)));
+    const Incidence incidence = incidence_from(Degrees(random.uniform(0, absorbing_incidence ? 30 : 90)));
     const Powers slab = without_interference(n1, n2, n3, d_nm, incidence, lambda_nm);
     const Powers stack = stack_powers(ResolvedStack{n1, {{n2, d_nm, false}}, n3}, incidence, lambda_nm).powers;
     EXPECT_NEAR(stack.R_s, slab.R_s, 1e-13) << i;

@@ -137,6 +137,11 @@ TEST(StackLimits, EqualMediaAreInvisible) {
       EXPECT_NEAR(found.powers.R_p, 0, 1e-25) << angle_deg;
       EXPECT_NEAR(found.powers.T_s, 1, 1e-13) << angle_deg;
       EXPECT_NEAR(found.powers.T_p, 1, 1e-13) << angle_deg;
+      const Amplitudes amplitudes = stack_amplitudes(stack, incidence_from(Degrees(angle_deg)), lambda_nm);
+      EXPECT_LT(std::abs(amplitudes.r_s), 1e-12) << angle_deg;
+      EXPECT_LT(std::abs(amplitudes.r_p), 1e-12) << angle_deg;
+      EXPECT_NEAR(std::abs(amplitudes.t_s), 1, 1e-13) << angle_deg;
+      EXPECT_NEAR(std::abs(amplitudes.t_p), 1, 1e-13) << angle_deg;
     }
 }
 

@@ -38,7 +38,7 @@ double cross(TangentialFields& fields, const Crossing& layer) {
             layer.cos_beta * far.G - i * layer.u_sin_beta * far.F};
   const double size = norm(fields.F) + norm(fields.G);
   constexpr double largest = 0x1p200;
-  if (size > 1 / largest && size < largest) return layer.decay;
+  if ((size > 1 / largest && size < largest) || size == 0) return layer.decay;
   const double power_of_two = std::ldexp(1.0, -std::ilogb(size) / 2);
   fields = {fields.F * power_of_two, fields.G * power_of_two};
   return layer.decay * power_of_two;

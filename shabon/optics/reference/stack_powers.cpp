@@ -104,30 +104,28 @@ Look look(const PolarisedStack& stack, const Block& block, From from, std::vecto
 
 // A block together with all that lies behind it.
 struct Rest {
-  double reflected = 0, not_reflected = 1;
-  double round_trips = 1;  // 1/(1 - R_b R'): how often light that entered comes by
-  double returned = 0;     // R': what comes back to the block's back face, of what left it
+  double reflected = 1, not_reflected = 0;
+  double round_trips = 0;  // 1/Z: how often light that entered comes by
+  double returned = 0;     // a^2 R: what comes back to the block's back face, of what left it
+  bool is_held = true;     // intensities do not add up here: taken as total reflection
 };
 
 // (35).
 Rest rest_behind(const Block& block, const Rest& next, double passes_once, bool lossless_before) {
   const double passes_twice = passes_once * passes_once;
   const double not_returned = next.not_reflected + next.reflected * (1 - passes_twice);
-  const double ends = block.back.not_reflected + block.back.reflected * not_returned;
-  if (ends <= 0) return {block.front.reflected, block.front.not_reflected, 0, 0};  // light cannot enter the layer
+  const double ends = block.back.not_reflected + block.back.reflected * not_returned;  // Z
+  if (ends <= 0) return lossless_before ? Rest{} : Rest{block.front.reflected, block.front.not_reflected, 0, 0, false};
   const double there_and_back = block.front.transmitted * block.back.transmitted;
   Rest rest;
+  rest.is_held = false;
   rest.returned = passes_twice * next.reflected;
   rest.round_trips = 1 / ends;
   rest.reflected = block.front.reflected + there_and_back * rest.returned / ends;
   rest.not_reflected = (block.front.not_reflected * block.back.not_reflected - there_and_back +
                         not_returned * (block.front.not_reflected * block.back.reflected + there_and_back)) /
                        ends;
-  if (lossless_before) {
-    rest.reflected = std::min(rest.reflected, 1.0);
-    rest.not_reflected = std::max(rest.not_reflected, 0.0);
-  }
-  return rest;
+  return lossless_before && rest.reflected > 1 ? Rest{} : rest;
 }
 
 // Every block with what lies behind it, from the incidence side.
@@ -152,7 +150,7 @@ Blocks blocks_of(const PolarisedStack& stack) {
   }
   all.rests.resize(all.blocks.size());
   const Look& last = all.blocks.back().front;
-  all.rests.back() = {last.reflected, last.not_reflected, 1, 0};
+  all.rests.back() = {last.reflected, last.not_reflected, 1, 0, false};
   for (std::size_t k = all.blocks.size() - 1; k-- > 0;) {
     const Block& block = all.blocks[k];
     const bool lossless = block.first == 0 ? stack.lossless_incidence : stack.layers[block.first - 1].takes_nothing;
@@ -174,15 +172,17 @@ OnePolarisation shares(const PolarisedStack& stack, bool grazing) {
   double forward = 1, flux_before = 0;
   for (std::size_t k = 0; k < all.blocks.size(); ++k) {
     const Block& block = all.blocks[k];
+    const bool held = all.rests[k].is_held;
     const double leaves = forward * block.front.transmitted;
     const double entered = leaves * all.rests[k].round_trips;
     const double backward = entered * all.rests[k].returned;
     if (block.first > 0) {
       const PolarisedLayer& layer = stack.layers[block.first - 1];
-      const double flux_in = forward * block.front.flux - backward * block.back.transmitted * real(layer.u);
+      const double flux_in = held ? 0 : forward * block.front.flux - backward * block.back.transmitted * real(layer.u);
       const double taken = layer.takes_nothing ? 0 : flux_before - flux_in;
       answer.A[block.first - 1] = taken * per_incident;
     }
+    if (held) break;
     for (std::size_t m = block.first; m < block.last; ++m)
       answer.A[m] = (forward * all.absorbed_front[m] + backward * all.absorbed_back[m]) * per_incident;
     if (block.last == stack.layers.size()) {

@@ -48,5 +48,15 @@ TEST(Fresnel, EqualMediaAtGrazingIncidence) {
   EXPECT_EQ(wall.t_p, 1.0);
 }
 
+// Neither a small index at normal incidence nor a nearly equal one at grazing incidence loses digits.
+TEST(Fresnel, TheNormalIndexKeepsItsDigits) {
+  EXPECT_EQ(normal_index(1.5, {}, 1e-3), 1e-3);
+  EXPECT_EQ(normal_index(1.5, {}, std::complex<double>(1e-3, 2e-3)), std::complex<double>(1e-3, 2e-3));
+  for (double cos_i : {1e-3, 1e-6, 1e-9}) {
+    const double n = 1 + 0x1p-40, expected = std::hypot(std::sqrt(0x1p-40 * (n + 1)), cos_i);
+    EXPECT_NEAR(normal_index(1, incidence_from_cos(cos_i), n).real() / expected, 1, 1e-15) << cos_i;
+  }
+}
+
 }  // namespace
 }  // namespace shabon::optics
