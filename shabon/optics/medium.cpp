@@ -85,6 +85,10 @@ std::complex<double> Medium::index(double wavelength_nm) const {
   return std::visit([&](const auto& index) { return index_at(index, wavelength_nm); }, content_->index);
 }
 
+std::string_view Medium::form() const {
+  return std::visit([](const auto& index) { return form_of(index); }, content_->index);
+}
+
 bool Medium::is_constant() const { return std::holds_alternative<ConstantIndex>(content_->index); }
 
 bool Medium::is_lossless() const {

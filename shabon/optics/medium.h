@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shabon/base/result.h"
@@ -77,6 +78,9 @@ class Medium {
   // n + ik at a vacuum wavelength. Outside its range a formula is continued down to 360 nm and up to 830 nm, or until
   // it runs into a resonance, and then holds its value; a table holds its end value; a mixture has what its parts have.
   std::complex<double> index(double wavelength_nm) const;
+
+  // How the index is known: "constant", "formula", "table" or "mixture".
+  std::string_view form() const;
 
   bool is_constant() const;
   bool is_lossless() const;  // k = 0 at every wavelength

@@ -4,6 +4,7 @@
 #include <complex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -48,6 +49,11 @@ std::complex<double> index_at(const ConstantIndex& constant, double wavelength_n
 std::complex<double> index_at(const FormulaIndex& formula, double wavelength_nm);
 std::complex<double> index_at(const TableIndex& table, double wavelength_nm);
 std::complex<double> index_at(const MixtureIndex& mixture, double wavelength_nm);
+
+constexpr std::string_view form_of(const ConstantIndex&) { return "constant"; }
+constexpr std::string_view form_of(const FormulaIndex&) { return "formula"; }
+constexpr std::string_view form_of(const TableIndex&) { return "table"; }
+constexpr std::string_view form_of(const MixtureIndex&) { return "mixture"; }
 
 bool lossless(const ConstantIndex& constant);
 bool lossless(const FormulaIndex& formula);

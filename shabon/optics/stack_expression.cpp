@@ -233,8 +233,11 @@ Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolve
   const std::optional<Medium> medium = StackElementParser(reader, resolver).parse_medium();
   reader.skip_space();
   if (!reader.has_problems() && !reader.at_end()) reader.expected("one medium and nothing after it", reader.offset());
-  if (reader.has_problems() || !medium) return reader.take_problems();
-  return *medium;
+  if (!reader.has_problems() && medium) return *medium;
+  Diagnostics problems = reader.take_problems();
+  for (Diagnostic& problem : problems)
+    if (problem.source == "<stack>") problem.source = "<medium>";
+  return problems;
 }
 
 Result<Stack> parse_stack(std::string_view text, const MediumResolver& resolver) {

@@ -28,7 +28,8 @@ using MediumResolver = std::function<Result<Medium>(std::string_view name_or_fil
 // Knows the names of media_library() and no files.
 Result<Medium> resolve_from_library(std::string_view name_or_file, bool is_file);
 
-// The whole text as one medium: `water`, `1.5+0.1i`, `file:a.csv`, `mix(water 70%, glycerol 30%)`. Errors as below.
+// The whole text as one medium: `water`, `1.5+0.1i`, `file:a.csv`, `mix(water 70%, glycerol 30%)`. Errors as below,
+// with source "<medium>".
 Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolver = resolve_from_library);
 
 // The whole text as a stack. Errors: everything that is wrong, in order, up to a bound, each with source "<stack>",
