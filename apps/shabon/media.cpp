@@ -1,74 +1,135 @@
-// shabon media: the media of the library with their ranges and sources.
+// shabon media: the media of the library with their ranges and sources; shabon media NAME...: n and k over wavelength.
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
+#include "chart_files.h"
 #include "command.h"
-#include "json.h"
+#include "media_list.h"
+#include "media_table.h"
 #include "options.h"
-#include "shabon/optics/media.h"
+#include "picture_files.h"
+#include "shabon/api/resolvers.h"
+#include "shabon/optics/stack_expression.h"
 #include "streams.h"
+#include "wavelengths.h"
 
 namespace shabon::app {
 
 namespace {
 
-constexpr double sodium_d_nm = 589.3;  // where refractive indices are usually quoted
-
-std::string range_text(const optics::Medium& medium) {
-  const auto range = medium.range_nm();
-  if (!range) return "all wavelengths";
-  return format_number(range->first_nm) + ".." + format_number(range->last_nm) + " nm";
-}
-
-std::string index_text(std::complex<double> index) {
-  return index.imag() == 0 ? fmt::format("{:.5f}", index.real())
-                           : fmt::format("{:.5f}+{:.5f}i", index.real(), index.imag());
-}
-
-std::string media_text() {
-  std::string text = fmt::format("{:<12} {:<18} {:<18} {}\n", "name", "n at 589.3 nm", "range", "what and whose");
-  for (const optics::MediumEntry& entry : optics::media_library()) {
-    const optics::Medium& medium = entry.medium;
-    text += fmt::format("{:<12} {:<18} {:<18} {}\n", entry.name, index_text(medium.index(sodium_d_nm)),
-                        range_text(medium), medium.description());
-    if (!medium.source().empty()) text += fmt::format("{:50} {}\n", "", medium.source());
-  }
-  return text;
-}
-
-std::string media_json() {
-  std::string list = "[";
-  for (const optics::MediumEntry& entry : optics::media_library()) {
-    const optics::Medium& medium = entry.medium;
-    JsonObject json;
-    json.add("name", entry.name).add("description", medium.description()).add("source", medium.source());
-    const auto range = medium.range_nm();
-    json.add_json("range_nm", range ? json_numbers({range->first_nm, range->last_nm}) : "null");
-    const std::complex<double> index = medium.index(sodium_d_nm);
-    json.add("n_589", index.real()).add("k_589", index.imag());
-    list += (list.size() > 1 ? ",\n " : "\n ") + json.line();
-  }
-  return list + "\n]\n";
-}
+constexpr std::size_t most_media = 1000, most_values = 10'000'000;
 
 struct Format {
   std::string_view name;
-  std::string (*write)();
+  std::string (*list)();
+  std::string (*table)(const MediaTable&);
 };
 
-constexpr Format formats[] = {{"text", media_text}, {"json", media_json}};
+constexpr Format formats[] = {{"text", media_list_text, media_table_text},
+                              {"csv", media_list_csv, media_table_csv},
+                              {"json", media_list_json, media_table_json}};
+
+struct MediaOptions {
+  std::vector<std::string> names, outputs;
+  std::vector<double> wavelengths_nm;
+  std::size_t format = 0;
+  const CLI::Option *wavelengths_given = nullptr, *format_given = nullptr;
+};
+
+Status check_usage(const MediaOptions& options) {
+  const auto refuse = [](const char* message) { return fail(Failure::usage, message); };
+  if (options.names.empty() && !options.outputs.empty()) return refuse("--output: expected the names of media to draw");
+  if (options.names.empty() && options.wavelengths_given->count() > 0)
+    return refuse("--wavelengths: expected the names of media to print");
+  if (!options.outputs.empty() && options.format_given->count() > 0)
+    return refuse("--format: expected without --output, whose ending tells the format");
+  if (options.names.size() > most_media || options.names.size() * options.wavelengths_nm.size() > most_values)
+    return fail(Failure::usage,
+                fmt::format("at most {} media, and {} values of media times wavelengths", most_media, most_values));
+  return Done{};
+}
+
+Result<MediaTable> read_table(const MediaOptions& options, std::vector<std::filesystem::path>& files) {
+  MediaTable table{{}, options.wavelengths_nm};
+  Diagnostics errors;
+  const optics::MediumResolver resolver = api::medium_resolver();
+  const auto noting = [&](std::string_view name, bool is_file) {
+    if (is_file) files.emplace_back(name);
+    return resolver(name, is_file);
+  };
+  for (const std::string& name : options.names) {
+    Result<optics::Medium> medium = optics::parse_medium(name, noting);
+    if (medium)
+      table.media.push_back(std::move(*medium));
+    else
+      errors.insert(errors.end(), medium.errors().begin(), medium.errors().end());
+  }
+  if (!errors.empty()) return errors;
+  return table;
+}
+
+// One warning a medium.
+Diagnostics range_warnings(const MediaTable& table) {
+  Diagnostics warnings;
+  for (std::size_t i = 0; i < table.media.size(); ++i) {
+    bool repeated = false;
+    for (std::size_t j = 0; j < i; ++j) repeated = repeated || table.media[j] == table.media[i];
+    std::string note = table.media[i].outside_range_note(table.wavelengths_nm);
+    if (repeated || note.empty()) continue;
+    Diagnostic& warning = warnings.emplace_back();
+    warning.severity = Severity::warning;
+    warning.message = std::move(note);
+  }
+  return warnings;
+}
+
+int draw(const MediaTable& table, const std::vector<ChartFile>& files) {
+  const MadeChart chart{media_chart(table), media_table_csv(table), {}};
+  for (const ChartFile& file : files) {
+    if (const Status written = write_chart(file, chart, {}); !written) return report(written.errors());
+    say(fmt::format("wrote {}", printable(file.path.string())));
+  }
+  return success;
+}
+
+int run_media(const MediaOptions& options) {
+  if (const Status usage = check_usage(options); !usage) return report(usage.errors());
+  if (options.names.empty()) return print_result(formats[options.format].list());
+  const Result<std::vector<ChartFile>> files = chart_files(options.outputs);
+  if (!files) return report(files.errors());
+  std::vector<std::filesystem::path> outputs, inputs;
+  for (const ChartFile& file : *files) outputs.push_back(file.path);
+  const Result<MediaTable> table = read_table(options, inputs);
+  if (!table) return report(table.errors());
+  if (const Status writable = check_outputs(outputs, inputs); !writable) return report(writable.errors());
+  report(range_warnings(*table));
+  return files->empty() ? print_result(formats[options.format].table(*table)) : draw(*table, *files);
+}
 
 }  // namespace
 
 Action declare_media(CLI::App& app) {
-  const auto format = std::make_shared<std::size_t>(0);
-  add_choice(app, "--format", *format, formats, "Form of the output");
-  app.footer(R"(Names ignore case. Beyond its range a formula is continued (360..830 nm), a table holds its end value.
+  const auto options = std::make_shared<MediaOptions>();
+  app.add_option("NAME", options->names, "Media whose n and k to print or draw; without any, the library is listed")
+      ->type_name("");
+  add_wavelengths(app, options->wavelengths_nm, "360:830:5", {.low = 0, .high = 1e9, .low_open = true});
+  options->wavelengths_given = app.get_option("--wavelengths");
+  options->format_given = add_choice(app, "--format", options->format, formats, "Form of the output");
+  add_texts(app, "-o,--output", options->outputs, "FILE", "Draws n and k: .svg or .png, or .csv; may be repeated");
+  app.footer(
+      R"(A medium is a name of the library in any case, an index such as 2.4+0.01i, file:PATH, or a mixture by volume.
+An n-k file is CSV (columns wavelength_nm or wavelength_um, n and perhaps k) or a .yml of refractiveindex.info.
+Beyond its range a formula is continued over 360..830 nm and then held; a table holds its end value; a warning says so.
 
-Example:
-  shabon media)");
-  return [format] { return print_result(formats[*format].write()); };
+Examples:
+  shabon media
+  shabon media SiO2 TiO2 --wavelengths 400:700:50
+  shabon media Ag Au Cu -o metals.svg
+  shabon media 'mix(water 70%, glycerol 30%)' --format csv
+  shabon media file:oil.csv --wavelengths 589.3 --format json)");
+  return [options] { return run_media(*options); };
 }
 
 }  // namespace shabon::app
