@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 Status write_png(const fs::path& path, const render::Sensor& sensor, double exposure_ev, const io::Metadata& metadata) {
   const std::vector<std::uint8_t> bytes =
-      render::develop_srgb8(sensor, exposure_ev, color::GamutMapping::reduce_chroma);
+      render::develop_srgb8(sensor, exposure_ev, color::default_gamut_mapping);
   return io::write_png(path, sensor.width(), sensor.height(), bytes, metadata);
 }
 

@@ -4,27 +4,33 @@
 #include <cmath>
 
 #include "shabon/base/text.h"
+#include "shabon/color/gamut_line.h"
 
 namespace shabon::color {
 
 namespace {
 
-// Linear sRGB to the cone responses of Oklab, and the weights of its lightness: B. Ottosson, "A perceptual color space
-// for image processing" (2020), https://bottosson.github.io/posts/oklab. Each row, and the weights, sum to 1.
-constexpr Matrix3 rgb_to_cones{Vector3{0.4122214708, 0.5363325363, 0.0514459929},
-                               Vector3{0.2119034982, 0.6806995451, 0.1073969566},
-                               Vector3{0.0883024619, 0.2817188376, 0.6299787005}};
-constexpr Matrix3 cones_to_rgb = inverse(rgb_to_cones);
-constexpr double weight_l = 0.2104542553, weight_m = 0.7936177850, weight_s = -0.0040720468;
-constexpr double weight_sum = weight_l + weight_m + weight_s;
-
 // Beyond any exposure; keeps infinity out of the arithmetic.
 constexpr double far_outside = 1e9;
 
+// How much a colour's chroma draws its grey from its own lightness to that of its hue's cusp, (20). At 1 the mean
+// CIEDE2000 between film colours and what stands for them is near its least, and no lightness is given up needlessly.
+constexpr double draw_to_cusp = 1;
+// Colours so dark for their chroma as no light can be draw no further, so that black stays the limit of the dark.
+constexpr double most_chroma_per_lightness = 2;
+
+// The share of the way from the grey to the boundary within which `gentle` leaves colours alone.
+constexpr double knee = 0.8;
+
 constexpr GamutMappingEntry entries[] = {
-    {GamutMapping::clip, "clip", "each component is clipped to 0..1"},
+    {GamutMapping::clip, "clip", "each component is clipped to 0..1", true},
     {GamutMapping::reduce_chroma, "reduce-chroma",
-     "lightness and, nearly, hue stay; chroma shrinks to the boundary of sRGB"},
+     "lightness and, nearly, hue stay; chroma shrinks to the boundary of sRGB", true},
+    {GamutMapping::keep_hue, "keep-hue",
+     "hue stays, nearly; chroma, and lightness where chroma alone would be lost, shrink to the boundary of sRGB", true},
+    {GamutMapping::gentle, "gentle",
+     "as keep-hue, but without an edge at the boundary: the outermost fifth of sRGB makes room for what lies beyond",
+     false},
 };
 
 Vector3 finite(LinearRgb colour) {
@@ -36,42 +42,38 @@ LinearRgb clip(const Vector3& rgb) {
   return {std::clamp(rgb[0], 0.0, 1.0), std::clamp(rgb[1], 0.0, 1.0), std::clamp(rgb[2], 0.0, 1.0)};
 }
 
-// The first t in 0..1 at which inside + 2 half_slope t + curvature t^2 falls to 0, starting from inside > 0; else 1.
-double first_exit(double inside, double half_slope, double curvature) {
-  const double discriminant = half_slope * half_slope - curvature * inside;
-  if (discriminant < 0) return 1;
-  const double divisor = std::sqrt(discriminant) - half_slope;
-  return divisor > inside ? inside / divisor : 1;
+double same_lightness(const RootColor& colour) { return colour.lightness; }
+
+// Between the colour's own lightness (a grey stays what it is, up to white) and its cusp's. The form is that of
+// B. Ottosson, "sRGB gamut clipping" (2021), adaptive L0 with the cusp.
+double between_lightness_and_cusp(const RootColor& colour) {
+  if (colour.chroma == 0) return colour.lightness;
+  const double cusp = cusp_lightness(colour.a, colour.b), off = colour.lightness - cusp;
+  const double room = 2 * (off > 0 ? 1 - cusp : cusp);
+  const double chroma = std::min(colour.chroma, most_chroma_per_lightness * colour.lightness);
+  const double e = room / 2 + std::abs(off) + draw_to_cusp * chroma / room;
+  const double root = std::sqrt(std::max(0.0, e * e - 2 * room * std::abs(off)));
+  return cusp + room * off / (e + root);
 }
 
-// Equation (20): in the square roots of the cone responses, the straight line from the grey of the same lightness to
-// the colour, as far as it stays in the cube. Square roots and not Oklab's cube roots: with those the cube hides a
-// sliver of itself behind its blue corner from the greys, and no mapping along such lines can be continuous there. The
-// hue of film colours stays within 2.5 degrees of Oklab's (along straight lines in linear light it would be 7.4).
-LinearRgb reduce_chroma(const Vector3& rgb) {
-  Vector3 roots = multiply(rgb_to_cones, rgb);
-  for (double& v : roots) v = std::copysign(std::sqrt(std::abs(v)), v);
-  const double lightness = (weight_l * roots[0] + weight_m * roots[1] + weight_s * roots[2]) / weight_sum;
-  if (lightness <= 0) return {0, 0, 0};
-  if (lightness >= 1) return {1, 1, 1};
+// Equation (20): along the line from a grey to the colour, as far as `reach` of the exit allows.
+template <class Grey, class Reach>
+LinearRgb along_line(const Vector3& rgb, Grey grey, Reach reach) {
+  const RootColor colour = root_color(rgb);
+  if (colour.lightness <= 0) return {0, 0, 0};
+  const double grey_lightness = grey(colour);
+  if (grey_lightness >= 1) return {1, 1, 1};
+  const GamutLine line(colour, grey_lightness);
+  return clip(line.at(reach(line.exit())));
+}
 
-  // Component k at t is grey + 2 slope[k] t + curve[k] t^2. The cone responses cannot change sign inside the cube, so
-  // the squares hold up to the exit.
-  Vector3 away, away_squared;
-  for (std::size_t i = 0; i < 3; ++i) {
-    away[i] = roots[i] - lightness;
-    away_squared[i] = away[i] * away[i];
-  }
-  const double grey = lightness * lightness;
-  const Vector3 along = multiply(cones_to_rgb, away), curve = multiply(cones_to_rgb, away_squared);
-  double t = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double slope = lightness * along[k];
-    t = std::min({t, first_exit(grey, slope, curve[k]), first_exit(1 - grey, -slope, -curve[k])});
-  }
-  Vector3 mapped;
-  for (std::size_t k = 0; k < 3; ++k) mapped[k] = grey + t * (2 * lightness * along[k] + t * curve[k]);
-  return clip(mapped);
+double up_to_boundary(double exit) { return std::min(1.0, exit); }
+
+// With r = 1/exit, the colour's distance from the grey in units of the boundary's: r below the knee, and from there
+// with the same slope towards 1, which only an infinitely far colour reaches.
+double with_soft_knee(double exit) {
+  const double beyond = (1 / exit - knee) / (1 - knee);
+  return beyond <= 0 ? 1 : (knee + (1 - knee) * beyond / (1 + beyond)) * exit;
 }
 
 }  // namespace
@@ -96,15 +98,12 @@ bool in_srgb_gamut(LinearRgb colour, double tolerance) {
 }
 
 LinearRgb map_to_srgb_gamut(LinearRgb colour, GamutMapping mapping) {
-  if (in_srgb_gamut(colour)) return colour;
   const Vector3 rgb = finite(colour);
-  switch (mapping) {
-    case GamutMapping::clip:
-      return clip(rgb);
-    case GamutMapping::reduce_chroma:
-      return in_srgb_gamut({rgb[0], rgb[1], rgb[2]}) ? clip(rgb) : reduce_chroma(rgb);
-  }
-  return clip(rgb);
+  if (mapping == GamutMapping::gentle) return along_line(rgb, between_lightness_and_cusp, with_soft_knee);
+  if (in_srgb_gamut(colour)) return colour;
+  if (mapping == GamutMapping::clip || in_srgb_gamut({rgb[0], rgb[1], rgb[2]})) return clip(rgb);
+  return mapping == GamutMapping::reduce_chroma ? along_line(rgb, same_lightness, up_to_boundary)
+                                                : along_line(rgb, between_lightness_and_cusp, up_to_boundary);
 }
 
 }  // namespace shabon::color
