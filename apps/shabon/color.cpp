@@ -1,14 +1,12 @@
 // shabon color STACK: the colour of a film under a lamp.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <memory>
 
+#include "color_report.h"
 #include "command.h"
-#include "json.h"
+#include "lamp_input.h"
 #include "options.h"
-#include "shabon/desk/film_color.h"
-#include "shabon/desk/film_spectrum.h"
 #include "stack_input.h"
 #include "streams.h"
 
@@ -16,110 +14,137 @@ namespace shabon::app {
 
 namespace {
 
-struct ColorOptions {
+constexpr std::size_t most_angles = 10'000;
+
+struct ColorCommand {
   StackInput stack;
-  std::optional<double> incidence_deg;
-  std::size_t lamp = 0, observer = 0, format = 0;
-  bool transmitted = false;
+  std::vector<double> incidence_deg{0};
+  std::string lamp = "D65";
+  std::size_t observer = 0, mapping = 0, format = 0;
+  std::optional<std::size_t> adaptation;
+  std::vector<std::string> spaces;
+  bool reflected = false, transmitted = false;
 };
-
-// What one colour was computed from; for the heading of the text.
-struct Conditions {
-  const StackInput& stack;
-  double incidence_deg;
-  const color::Illuminant& lamp;
-  const color::Observer& observer;
-  desk::Side side;
-};
-
-bool is_set(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
-}
-
-// Escape codes go to terminals only, unless they are asked for (bixense.com/clicolors) or refused (no-color.org).
-bool swatch_wanted() { return !is_set("NO_COLOR") && (is_terminal_output() || is_set("CLICOLOR_FORCE")); }
-
-std::string swatch(color::EncodedRgb colour) {
-  const auto bytes = color::to_bytes(colour);
-  return fmt::format("  \x1b[48;2;{};{};{}m        \x1b[0m", bytes[0], bytes[1], bytes[2]);
-}
-
-std::string row(std::string_view label, double a, double b, double c) {
-  return fmt::format("{:<14}{:>10.6f} {:>10.6f} {:>10.6f}\n", label, a, b, c);
-}
-
-std::string row(std::string_view label, color::EncodedRgb colour) {
-  const std::string patch = swatch_wanted() ? swatch(colour) : "";
-  return fmt::format("{:<14}{:>10.6f} {:>10.6f} {:>10.6f}  {}{}\n", label, colour.r, colour.g, colour.b,
-                     color::to_hex(colour), patch);
-}
-
-std::string color_text(const Conditions& conditions, const desk::Color& c) {
-  std::string text = fmt::format(
-      "{}\n{} at {} degrees, unpolarised, {}, lamp {}, observer {}\n\n", printable(conditions.stack.expression),
-      conditions.side == desk::Side::reflected ? "reflected" : "transmitted", format_number(conditions.incidence_deg),
-      optics::name_of(conditions.stack.interference()), conditions.lamp.name, conditions.observer.name);
-  text += row("XYZ", c.xyz.x, c.xyz.y, c.xyz.z);
-  text += fmt::format("{:<14}{:>10.6f} {:>10.6f}\n", "xy", c.xy.x, c.xy.y);
-  text += row("Lab", c.lab.L, c.lab.a, c.lab.b);
-  text += row("linear sRGB", c.linear_srgb.r, c.linear_srgb.g, c.linear_srgb.b);
-  text += row("sRGB clipped", c.srgb);
-  text += row("sRGB mapped", c.srgb_mapped);
-  return text + (c.in_gamut ? "inside sRGB\n" : "outside sRGB\n");
-}
-
-std::string color_json(const Conditions&, const desk::Color& c) {
-  JsonObject json;
-  json.add("XYZ", {c.xyz.x, c.xyz.y, c.xyz.z}).add("xy", {c.xy.x, c.xy.y}).add("Lab", {c.lab.L, c.lab.a, c.lab.b});
-  json.add("linear_srgb", {c.linear_srgb.r, c.linear_srgb.g, c.linear_srgb.b});
-  json.add("srgb", {c.srgb.r, c.srgb.g, c.srgb.b}).add("hex", color::to_hex(c.srgb));
-  json.add("srgb_mapped", {c.srgb_mapped.r, c.srgb_mapped.g, c.srgb_mapped.b});
-  json.add("hex_mapped", color::to_hex(c.srgb_mapped)).add("in_gamut", c.in_gamut);
-  return json.text();
-}
 
 struct Format {
   std::string_view name;
-  std::string (*write)(const Conditions&, const desk::Color&);
+  std::string (*write)(const ColorReport&);
 };
 
-constexpr Format formats[] = {{"text", color_text}, {"json", color_json}};
+constexpr Format formats[] = {{"text", color_text}, {"json", color_json}, {"csv", color_csv}, {"svg", color_svg}};
 
-int run_color(const ColorOptions& options) {
-  const Result<optics::Stack> stack = read_stack(options.stack);
+std::vector<color::ColorSpace> spaces_of(const ColorCommand& command) {
+  std::vector<color::ColorSpace> spaces;
+  for (const std::string& name : command.spaces) spaces.push_back(*color::find_color_space(name));
+  return spaces;
+}
+
+std::vector<desk::Side> sides_of(const ColorCommand& command) {
+  std::vector<desk::Side> sides;
+  if (command.reflected || !command.transmitted) sides.push_back(desk::Side::reflected);
+  if (command.transmitted) sides.push_back(desk::Side::transmitted);
+  return sides;
+}
+
+int run_color(const ColorCommand& command) {
+  const Result<optics::Stack> stack = read_stack(command.stack);
   if (!stack) return report(stack.errors());
+  const Result<color::Illuminant> lamp = read_lamp(command.lamp);
+  if (!lamp) return report(lamp.errors());
+  const color::Observer& observer = color::observers()[command.observer];
+  const color::Xyz white = color::white_point(*lamp, observer);
 
-  const Conditions conditions{options.stack, options.incidence_deg.value_or(0), color::illuminants()[options.lamp],
-                              color::observers()[options.observer],
-                              options.transmitted ? desk::Side::transmitted : desk::Side::reflected};
+  ColorReport result{command.stack.expression,
+                     command.stack.interference(),
+                     command.stack.reversed,
+                     lamp->name,
+                     observer.name,
+                     {},
+                     spaces_of(command),
+                     {}};
+  result.options.mapping = color::gamut_mappings()[command.mapping].mapping;
+  if (command.adaptation) result.options.adaptation = color::adaptations()[*command.adaptation].method;
+
   report(desk::range_warnings(*stack, std::vector<double>{color::first_nm, color::last_nm}));
-  const color::Spectrum share = desk::unpolarised(
-      *stack, options.stack.interference(), optics::incidence_from(Degrees(conditions.incidence_deg)), conditions.side);
-  const desk::Color colour = desk::color_of(share, conditions.lamp, conditions.observer);
-  return print_result(formats[options.format].write(conditions, colour));
+  for (const double incidence_deg : command.incidence_deg) {
+    for (const desk::Side side : sides_of(command)) {
+      const color::Spectrum share =
+          desk::unpolarised(*stack, command.stack.interference(), optics::incidence_from(Degrees(incidence_deg)), side);
+      FilmColor& film = result.colors.emplace_back();
+      film = {incidence_deg, side, desk::color_of(share, *lamp, observer, result.options), {}};
+      for (const color::ColorSpace space : result.spaces)
+        film.in_spaces.push_back(desk::in_space(space, film.color.xyz, white, result.options.adaptation));
+    }
+  }
+  return print_result(formats[command.format].write(result));
+}
+
+void add_spaces(CLI::App& app, std::vector<std::string>& target) {
+  const std::string option = "--space";
+  std::string known;
+  for (const color::ColorSpaceEntry& entry : color::color_spaces())
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  const auto read = [&target, option](const std::vector<std::string>& names) {
+    target.clear();
+    for (const std::string& text : names) {
+      for (const std::string_view name : split(text, ',')) {
+        std::vector<std::string_view> list;
+        for (const color::ColorSpaceEntry& entry : color::color_spaces()) list.push_back(entry.name);
+        if (!color::find_color_space(trim(name))) usage_error(option, unknown_name("colour space", trim(name), list));
+        target.emplace_back(trim(name));
+      }
+    }
+  };
+  app.add_option_function<std::vector<std::string>>(
+         option, read, "Also the components in this space; a list or repeated: " + known + ". RGB is linear light")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_adaptation(CLI::App& app, std::optional<std::size_t>& target) {
+  std::vector<std::string_view> names;
+  for (const color::AdaptationEntry& entry : color::adaptations()) names.push_back(entry.name);
+  std::string known;
+  for (const std::string_view name : names) known += (known.empty() ? "" : "/") + std::string(name);
+  const auto read = [&target, names](const std::string& text) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (same_name(names[i], text)) target = i;
+    if (!target) usage_error("--adapt", unknown_name("method", text, names));
+  };
+  app.add_option_function<std::string>("--adapt", read,
+                                       "Chromatic adaptation of RGB and Oklab from the lamp's white: " + known)
+      ->type_name("METHOD");
 }
 
 }  // namespace
 
 Action declare_color(CLI::App& app) {
-  const auto options = std::make_shared<ColorOptions>();
-  add_stack_input(app, options->stack);
-  add_number(app, "--angle", options->incidence_deg, {.low = 0, .high = 90}, "degrees",
-             "Angle of incidence in the first medium, 0..90 degrees [0]");
-  add_choice(app, "--illuminant", options->lamp, color::illuminants(), "Lamp");
-  add_choice(app, "--observer", options->observer, color::observers(), "Standard observer");
-  app.add_flag("--transmitted", options->transmitted, "The transmitted instead of the reflected light");
-  add_choice(app, "--format", options->format, formats, "Form of the output");
+  const auto command = std::make_shared<ColorCommand>();
+  add_stack_input(app, command->stack);
+  add_numbers(app, "--angle", command->incidence_deg, {.low = 0, .high = 90}, "degrees", most_angles,
+              "Angles of incidence in the first medium, 0..90 degrees: 30 or 0,30,60; may be repeated [0]");
+  add_lamp(app, command->lamp);
+  add_choice(app, "--observer", command->observer, color::observers(), "Standard observer");
+  app.add_flag("--reflected", command->reflected, "The reflected light; the default");
+  app.add_flag("--transmitted", command->transmitted, "The transmitted light; with --reflected both");
+  add_spaces(app, command->spaces);
+  add_adaptation(app, command->adaptation);
+  for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
+    if (color::gamut_mappings()[i].mapping == desk::ColorOptions{}.mapping) command->mapping = i;
+  add_choice(app, "--gamut", command->mapping, color::gamut_mappings(), "How 'mapped' is brought into sRGB");
+  add_choice(app, "--format", command->format, formats, "Form of the output");
   app.footer(std::string(stack_help) + R"(
 The light is unpolarised. Y of the perfect reflector is 1; the white of Lab is the lamp. 'clipped' cuts each component
-of linear sRGB to 0..1, 'mapped' keeps hue and lightness and lowers the chroma until the colour lies inside sRGB.
+of linear sRGB to 0..1, 'mapped' keeps the hue and gives up chroma, and a little lightness, until it lies inside. XYZ,
+xy and Lab are never adapted.
 
 Examples:
   shabon color 'air | water 300nm | air'
-  shabon color 'air | water 300nm | air' --angle 60 --illuminant A --format json
-  shabon color '1 | 1.38 99.6nm | 1.52' --transmitted)");
-  return [options] { return run_color(*options); };
+  shabon color 'air | water 300nm | air' --angle 0,30,60 --illuminant blackbody:2700K --adapt bradford
+  shabon color 'air | TiO2 60nm | Ti' --space 'Display P3,Oklab' --format json
+  shabon color '1 | 1.38 99.6nm | 1.52' --reflected --transmitted --format svg > card.svg)");
+  return [command] { return run_color(*command); };
 }
 
 }  // namespace shabon::app

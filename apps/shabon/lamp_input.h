@@ -1,0 +1,19 @@
+// The option --illuminant: a lamp of the library, a temperature, or a file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+#include "shabon/base/result.h"
+#include "shabon/color/illuminant.h"
+
+namespace shabon::app {
+
+// `target` holds the default until the option is given. A name or temperature that does not exist is a usage error.
+void add_lamp(CLI::App& app, std::string& target);
+
+// The lamp; files are found from the working folder. What its note says goes to standard error.
+Result<color::Illuminant> read_lamp(const std::string& text);
+
+}  // namespace shabon::app
