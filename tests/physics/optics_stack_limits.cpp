@@ -177,5 +177,25 @@ TEST(StackLimits, Extremes) {
             }
 }
 
+// The same drawn at random, several at once, also where a layer marked incoherent is nothing of the kind.
+TEST(StackLimits, RandomExtremes) {
+  Pcg32 random(33);
+  const auto pick = [&](const auto& list) {
+    return list[static_cast<std::size_t>(random.uniform(0, std::size(list)))];
+  };
+  const double indices[] = {1e-3, 0.05, 1, 1.5, 2.4, 10}, extinctions[] = {0, 0, 0, 1e-300, 1e-12, 1e-6, 1e-3, 3},
+               thicknesses_nm[] = {0, 1e-300, 1e-9, 50, 1e5, largest_thickness_nm},
+               angles_deg[] = {0, 1e-9, 30, 41.810314895778596, 60, 89.999999, 90}, first_indices[] = {1, 1.5, 2.4};
+  for (int i = 0; i < 20000; ++i) {
+    ResolvedStack stack{pick(first_indices), {}, {pick(indices), pick(extinctions)}};
+    for (double layers = random.uniform(1, 7); layers >= 1; --layers)
+      stack.layers.push_back({{pick(indices), pick(extinctions)}, pick(thicknesses_nm), random.uniform() < 0.5});
+    const StackPowers found = stack_powers(stack, incidence_from(Degrees(pick(angles_deg))), lambda_nm);
+    expect_shares(found, 1e-4, std::to_string(i));
+    for (ResolvedLayer& layer : stack.layers) layer.coherent = true;
+    expect_shares(stack_powers(stack, incidence_from(Degrees(pick(angles_deg))), lambda_nm), 1e-11, std::to_string(i));
+  }
+}
+
 }  // namespace
 }  // namespace shabon::optics

@@ -50,8 +50,8 @@ struct TangentialFields {
   double flux() const { return real(F * conj(G)); }  // (33)
 };
 
-// (31): replaces the fields at a layer's far face by those at its near face, times the returned factor, which keeps them
-// in the range of a double however many or opaque the layers are: e^(-Im beta), now and then times a power of two.
+// (31): replaces the fields at a layer's far face by those at its near face, times the returned factor, which keeps
+// them in the range of a double however many or opaque the layers are: e^(-Im beta), now and then times a power of two.
 double cross(TangentialFields& fields, const Crossing& layer);
 
 }  // namespace shabon::optics

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "shabon/optics/reference/fresnel.h"
 #include "shabon/optics/reference/layer_fields.h"
@@ -83,16 +84,18 @@ Look look(const PolarisedStack& stack, const Block& block, From from, std::vecto
     const double taken = fields.flux() - factors[m] * factors[m] * flux_out;
     absorbed[m] = stack.layers[m].takes_nothing ? 0 : stack.lossless_incidence ? std::max(0.0, taken) : taken;
   }
-  // As in (32); without an incident wave of its own only at 90 degrees with nothing between equal media.
+  // As in (32); without an incident wave of its own only at 90 degrees with nothing between equal media. Quotients
+  // first: the squares of very small fields are 0.
   const Complex twice_incident = u_near * fields.F + fields.G;
   const bool nothing_there = twice_incident == 0.0;
-  double per_incident = nothing_there ? 1 / norm(fields.F) : 4 * norm(u_near) / norm(twice_incident);
   Look seen;
-  seen.flux = fields.flux() * per_incident;
   if (!nothing_there) {
-    seen.reflected = norm(u_near * fields.F - fields.G) / norm(twice_incident);
-    seen.not_reflected = 4 * real(u_near * fields.F * conj(fields.G)) / norm(twice_incident);
+    const Complex F = u_near * fields.F / twice_incident, G = fields.G / twice_incident;
+    seen.reflected = norm(F - G);
+    seen.not_reflected = 4 * real(F * conj(G));
+    seen.flux = 4 * real(F * conj(G * u_near));
   }
+  double per_incident = nothing_there ? 1 / norm(fields.F) : 4 * norm(u_near / twice_incident);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t m = nth(i);
     absorbed[m] *= per_incident;
@@ -102,30 +105,45 @@ Look look(const PolarisedStack& stack, const Block& block, From from, std::vecto
   return seen;
 }
 
+// a of (35).
+double passes_once(const PolarisedLayer& incoherent) { return incoherent.crossing.decay * incoherent.crossing.decay; }
+
 // A block together with all that lies behind it.
 struct Rest {
-  double reflected = 1, not_reflected = 0;
-  double round_trips = 0;  // 1/Z: how often light that entered comes by
-  double returned = 0;     // a^2 R: what comes back to the block's back face, of what left it
-  bool is_held = true;     // intensities do not add up here: taken as total reflection
+  double reflected, not_reflected;
+  double ends;         // Z: of the light in the layer behind the block, what does not come by again
+  double returned;     // a^2 R: what comes back to the block's back face, of what left it
+  bool total = false;  // intensities do not add up here: taken as total reflection
 };
 
+constexpr double never = std::numeric_limits<double>::infinity();  // light enters the layer and comes by again: Z
+
+constexpr Rest total_reflection = {1, 0, never, 0, true};
+
+// Nothing comes back through the layer behind the block.
+Rest ends_there(const Block& block) { return {block.front.reflected, block.front.not_reflected, never, 0}; }
+
+// Whether waves in an incoherent layer take power along: not if they only decay.
+bool carries_power(const PolarisedLayer& incoherent) {
+  return incoherent.u.imag() <= 0 || incoherent.u.real() > std::numeric_limits<double>::epsilon() * incoherent.u.imag();
+}
+
 // (35).
-Rest rest_behind(const Block& block, const Rest& next, double passes_once, bool lossless_before) {
-  const double passes_twice = passes_once * passes_once;
-  const double not_returned = next.not_reflected + next.reflected * (1 - passes_twice);
-  const double ends = block.back.not_reflected + block.back.reflected * not_returned;  // Z
-  if (ends <= 0) return lossless_before ? Rest{} : Rest{block.front.reflected, block.front.not_reflected, 0, 0, false};
+Rest rest_behind(const Block& block, const PolarisedLayer& layer, const Rest& next, bool lossless_before) {
+  if (!carries_power(layer)) return ends_there(block);
+  const double passes_twice = passes_once(layer) * passes_once(layer);
+  const double returned = passes_twice * next.reflected;
+  const double not_returned =  // 1 - a^2 R, without the subtraction where that matters
+      returned < 0.5 ? 1 - returned : next.not_reflected + next.reflected * (1 - passes_twice);
+  const double ends = block.back.not_reflected + block.back.reflected * not_returned;
+  if (ends <= 0) return lossless_before ? total_reflection : ends_there(block);
   const double there_and_back = block.front.transmitted * block.back.transmitted;
-  Rest rest;
-  rest.is_held = false;
-  rest.returned = passes_twice * next.reflected;
-  rest.round_trips = 1 / ends;
-  rest.reflected = block.front.reflected + there_and_back * rest.returned / ends;
-  rest.not_reflected = (block.front.not_reflected * block.back.not_reflected - there_and_back +
-                        not_returned * (block.front.not_reflected * block.back.reflected + there_and_back)) /
-                       ends;
-  return lossless_before && rest.reflected > 1 ? Rest{} : rest;
+  const double reflected = block.front.reflected + there_and_back * returned / ends;
+  if (lossless_before && reflected > 1) return total_reflection;
+  const double not_reflected = (block.front.not_reflected * block.back.not_reflected - there_and_back +
+                                not_returned * (block.front.not_reflected * block.back.reflected + there_and_back)) /
+                               ends;
+  return {reflected, not_reflected, ends, returned};
 }
 
 // Every block with what lies behind it, from the incidence side.
@@ -134,8 +152,6 @@ struct Blocks {
   std::vector<Rest> rests;
   std::vector<double> absorbed_front, absorbed_back;  // per layer, of light from that side of its block
 };
-
-double passes_once(const PolarisedLayer& incoherent) { return incoherent.crossing.decay * incoherent.crossing.decay; }
 
 Blocks blocks_of(const PolarisedStack& stack) {
   const std::size_t count = stack.layers.size();
@@ -148,13 +164,12 @@ Blocks blocks_of(const PolarisedStack& stack) {
     if (last < count) block.back = look(stack, block, From::back, all.absorbed_back, factors);
     all.blocks.push_back(block);
   }
-  all.rests.resize(all.blocks.size());
   const Look& last = all.blocks.back().front;
-  all.rests.back() = {last.reflected, last.not_reflected, 1, 0, false};
+  all.rests.resize(all.blocks.size(), {last.reflected, last.not_reflected, 1, 0});
   for (std::size_t k = all.blocks.size() - 1; k-- > 0;) {
     const Block& block = all.blocks[k];
     const bool lossless = block.first == 0 ? stack.lossless_incidence : stack.layers[block.first - 1].takes_nothing;
-    all.rests[k] = rest_behind(block, all.rests[k + 1], passes_once(stack.layers[block.last]), lossless);
+    all.rests[k] = rest_behind(block, stack.layers[block.last], all.rests[k + 1], lossless);
   }
   return all;
 }
@@ -172,9 +187,9 @@ OnePolarisation shares(const PolarisedStack& stack, bool grazing) {
   double forward = 1, flux_before = 0;
   for (std::size_t k = 0; k < all.blocks.size(); ++k) {
     const Block& block = all.blocks[k];
-    const bool held = all.rests[k].is_held;
+    const bool held = all.rests[k].total;
     const double leaves = forward * block.front.transmitted;
-    const double entered = leaves * all.rests[k].round_trips;
+    const double entered = leaves / all.rests[k].ends;
     const double backward = entered * all.rests[k].returned;
     if (block.first > 0) {
       const PolarisedLayer& layer = stack.layers[block.first - 1];
