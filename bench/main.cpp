@@ -7,6 +7,7 @@
 #include "bench/geometry/next_wall.h"
 #include "bench/machine.h"
 #include "bench/optics/films.h"
+#include "bench/optics/stacks.h"
 #include "bench/render/noise.h"
 #include "bench/render/speed.h"
 #include "shabon/io/file.h"
@@ -36,6 +37,7 @@ Status run(const Options& options, bench::Report& report) {
                    (options.quick ? " A quick run: not for comparing." : ""));
   Status done = Done{};
   if (options.wants("optics")) done = bench::bench_films(report, repeat);
+  if (done && options.wants("optics")) done = bench::bench_stacks(report, repeat);
   if (done && options.wants("render"))
     done = bench::bench_speed(report, options.quick ? quick_rounds : rounds, options.quick ? quick_samples : samples);
   if (done && options.wants("noise")) done = bench::bench_noise(report, !options.quick);

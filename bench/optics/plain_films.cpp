@@ -25,13 +25,14 @@ Walls<Number> walls(Number n, Number cos_1, Number thickness_nm) {
 }  // namespace
 
 template <class Number>
-PlainFilm<Number>::PlainFilm(const scene::Scene& scene) : dispersive_(!scene.films.front().medium.is_constant()) {
+PlainFilm<Number>::PlainFilm(const scene::Scene& scene)
+    : dispersive_(!scene.films.front().layers.front().medium.is_constant()) {
   for (const render::Comb& comb : render::wavelength_combs(color::observer_1931(), scene.environment.channels)) {
     auto& wavelengths = wavelength_nm_.emplace_back();
     auto& indices = index_.emplace_back();
     for (std::size_t i = 0; i < wavelengths.size(); ++i) {
       wavelengths[i] = static_cast<Number>(comb.wavelength_nm[i]);
-      indices[i] = static_cast<Number>(scene.films.front().medium.index(comb.wavelength_nm[i]).real());
+      indices[i] = static_cast<Number>(scene.films.front().layers.front().medium.index(comb.wavelength_nm[i]).real());
     }
   }
 }

@@ -231,7 +231,7 @@ Status bench_speed(Report& report, int repetitions, int samples) {
   two_beam.render.interference = optics::Interference::two_beam;
   const auto medium = optics::find_medium("water");
   if (!medium) return fail(Failure::internal, "no medium 'water'");
-  water.films.front().medium = *medium;
+  water.films.front().layers.front().medium = *medium;
 
   Measurements all;
   all.jobs = {{"built-in", &*built_in, 1, {}, {}},         {"built-in", &*built_in, 2, {}, {}},

@@ -48,14 +48,16 @@ class ObjectsCompiler {
         [&](const auto& chosen) { return film_parts(chosen, film, resources_.medium, problems_); }, bubble.film);
     if (!parts) return;
     check_outer_media(*parts, film, problems_);
+    check_model(*parts, scene_.render.interference, film, problems_);
     settle_medium(*parts, film);
-    for (const optics::Medium* medium : {&parts->outside, &parts->medium}) warn_outside_range(*medium, film);
+    warn_outside_range(parts->outside, film);
+    for (const optics::Layer& layer : parts->film.layers) warn_outside_range(layer.medium, film);
     // -0 + 0 = 0: the two zeros are one place.
     const std::array<double, 4> key = {bubble.center.x + 0.0, bubble.center.y + 0.0, bubble.center.z + 0.0,
                                        bubble.radius};
     const auto [entry, added] = place_.try_emplace(key, spheres_.size());
     if (added) spheres_.push_back({{bubble.center, bubble.radius, 0, 0}, {}});
-    spheres_[entry->second].films.push_back({parts->medium, parts->thickness});
+    spheres_[entry->second].films.push_back(parts->film);
   }
 
   void finish() {
@@ -109,6 +111,7 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   const Path root;
   check_mapping(scene_schema(), &description, root, problems);
   Scene scene;
+  scene.render = compile_settings(description.render);
   const Path environment{&root, "environment"}, objects{&root, "objects"};
   scene.environment = compile_environment(description.environment, environment, resources, problems);
   ObjectsCompiler compiler(scene, resources, problems);
@@ -121,7 +124,6 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   scene.width = description.image.width;
   scene.height = description.image.height;
   scene.camera = compile_camera(description.camera, description.image);
-  scene.render = compile_settings(description.render);
   return scene;
 }
 

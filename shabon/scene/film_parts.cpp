@@ -13,6 +13,27 @@ std::optional<optics::Stack> understood(Result<optics::Stack> stack, const Path&
   return {};
 }
 
+// What the renderer supports.
+bool check_layers(const std::vector<optics::Layer>& layers, const Path& place, Problems& problems) {
+  if (layers.empty()) {
+    problems.add(place, "expected layers between two outer media, as in 'air | water 300nm | air', got none");
+    return false;
+  }
+  for (const optics::Layer& layer : layers) {
+    if (!layer.coherent) {
+      problems.add(place, "expected coherent layers, got an incoherent one of '" + layer.medium.name() +
+                              "'; the renderer supports coherent films");
+      return false;
+    }
+    if (!film::thickness_range_nm.contains(layer.thickness_nm)) {
+      problems.add(place, "expected a thickness of " + range_text({.unit = "nm", .range = film::thickness_range_nm}) +
+                              ", got " + value_text(layer.thickness_nm));
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path,
@@ -31,7 +52,7 @@ std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path
   if (whole_stack)
     problems.add(medium, "expected one medium, got several layers; 'stack' takes them instead of 'medium'");
   if (!stack) return {};
-  return FilmParts{optics::Medium(), stack->incidence, optics::Medium(), film.thickness};
+  return FilmParts{optics::Medium(), {{{stack->incidence, 0, true}}, 0, film.thickness}, optics::Medium()};
 }
 
 std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path, const optics::MediumResolver& resolver,
@@ -40,22 +61,20 @@ std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path,
   if (problems.has(place)) return {};
   const auto stack = understood(optics::parse_stack(film.stack, resolver), place, problems);
   if (!stack) return {};
-  if (stack->layers.size() != 1) {
-    problems.add(place, "expected one layer between two outer media, as in 'air | water 300nm | air', got " +
-                            std::to_string(stack->layers.size()) + " layers; the renderer supports films of one layer");
+  if (!check_layers(stack->layers, place, problems)) return {};
+  if (!film.vary)
+    return FilmParts{
+        stack->incidence, {stack->layers, 0, film::ConstantThickness{stack->layers.front().thickness_nm}}, stack->exit};
+  const Path vary{&path, "vary"};
+  if (problems.has(vary)) return {};
+  if (film.vary->layer < 1 || film.vary->layer > static_cast<int>(stack->layers.size())) {
+    problems.add(vary, "expected one of the " + std::to_string(stack->layers.size()) +
+                           " layers of the stack, got layer " + std::to_string(film.vary->layer));
     return {};
   }
-  const optics::Layer& layer = stack->layers.front();
-  if (!layer.coherent) {
-    problems.add(place, "expected a coherent layer, got an incoherent one; the renderer supports coherent films");
-    return {};
-  }
-  if (!film::thickness_range_nm.contains(layer.thickness_nm)) {
-    problems.add(place, "expected a thickness of " + range_text({.unit = "nm", .range = film::thickness_range_nm}) +
-                            ", got " + value_text(layer.thickness_nm));
-    return {};
-  }
-  return FilmParts{stack->incidence, layer.medium, stack->exit, film::ConstantThickness{layer.thickness_nm}};
+  return FilmParts{stack->incidence,
+                   {stack->layers, static_cast<std::size_t>(film.vary->layer - 1), film.vary->thickness},
+                   stack->exit};
 }
 
 void check_outer_media(const FilmParts& parts, const Path& path, Problems& problems) {
@@ -67,6 +86,13 @@ void check_outer_media(const FilmParts& parts, const Path& path, Problems& probl
   if (!parts.outside.is_lossless())
     problems.add(place, "expected an outer medium without absorption, got '" + parts.outside.name() +
                             "'; light reaches the film through it from any distance");
+}
+
+void check_model(const FilmParts& parts, optics::Interference model, const Path& path, Problems& problems) {
+  const Path place{&path, "stack"};
+  if (model == optics::Interference::airy || parts.film.layers.size() == 1 || problems.has(place)) return;
+  problems.add(place, "expected one layer under 'interference: " + std::string(optics::name_of(model)) + "', got " +
+                          std::to_string(parts.film.layers.size()) + "; 'interference: airy' takes any number");
 }
 
 }  // namespace shabon::scene

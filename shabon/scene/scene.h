@@ -8,15 +8,18 @@
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
 #include "shabon/optics/medium.h"
+#include "shabon/optics/stack.h"
 #include "shabon/scene/camera.h"
 #include "shabon/scene/environment.h"
 
 namespace shabon::scene {
 
-// One film between the scene's medium on both sides.
+// One film between the scene's medium on both sides: coherent layers from the outside to the inside, at least one, of
+// which one has a thickness of its own at each place.
 struct Film {
-  optics::Medium medium;
-  film::ThicknessModel thickness;
+  std::vector<optics::Layer> layers;
+  std::size_t varied_layer = 0;    // index into layers
+  film::ThicknessModel thickness;  // of that layer, in place of the one written there
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of

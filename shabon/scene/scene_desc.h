@@ -77,9 +77,16 @@ struct MediumFilmDesc {
   film::ThicknessModel thickness;
 };
 
+// The layer of a stack whose thickness differs from place to place, in place of the one written in the stack.
+struct VariedLayerDesc {
+  int layer = 1;  // the outermost is 1
+  film::ThicknessModel thickness;
+};
+
 // A stack expression, from the outside to the inside.
 struct StackFilmDesc {
   std::string stack = "air | water 400nm | air";
+  std::optional<VariedLayerDesc> vary = {};
 };
 
 using FilmDesc = std::variant<MediumFilmDesc, StackFilmDesc>;

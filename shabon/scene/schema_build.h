@@ -48,8 +48,13 @@ inline constexpr bool is_list<std::vector<T>> = true;
 template <class V>
 void read_member(const io::YamlNode& node, const FieldInfo& info, const Path& path, V& value, Problems& problems) {
   if constexpr (is_optional<V>) {
-    typename V::value_type content{};
-    if (read_value(node, info, path, content, problems)) value = content;
+    using Content = typename V::value_type;
+    if constexpr (PlainValue<Content>) {
+      Content content{};
+      if (read_value(node, info, path, content, problems)) value = content;
+    } else {
+      read_member(node, info, path, value.emplace(), problems);
+    }
   } else if constexpr (is_list<V>) {
     if (node.kind != io::YamlNode::Kind::sequence)
       return problems.add(node, path, "expected a list, got " + io::describe(node));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shabon/base/field.h"
+#include "shabon/optics/stack.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/schema_build.h"
 
@@ -26,6 +27,7 @@ inline constexpr Range seed_range{.low = 0};
 // Below 1e-7, where a probe cuts too, the tree of paths grows and the picture does not change.
 inline constexpr Range split_range{.low = 1e-7, .high = 1};
 inline constexpr Range depth_range{.low = 1, .high = 1024};
+inline constexpr Range layer_range{.low = 1, .high = optics::most_layers};
 inline constexpr double most_pixels = 1 << 28;
 
 constexpr auto fields(Of<ImageDesc>) {
@@ -146,12 +148,21 @@ constexpr auto fields(Of<MediumFilmDesc>) {
       Field{"thickness", &MediumFilmDesc::thickness, {.required = true, .doc = "how thick the film is, and where"}}};
 }
 
+constexpr auto fields(Of<VariedLayerDesc>) {
+  return std::tuple{
+      Field{"layer", &VariedLayerDesc::layer, {.range = layer_range, .doc = "its number, from 1 at the outside"}},
+      Field{"thickness",
+            &VariedLayerDesc::thickness,
+            {.required = true, .doc = "its thickness, in place of the one written in the stack"}}};
+}
+
 constexpr About about(Of<StackFilmDesc>) { return {.name = "stack", .doc = "a stack expression", .flat = true}; }
 constexpr auto fields(Of<StackFilmDesc>) {
-  return std::tuple{Field{
-      "stack",
-      &StackFilmDesc::stack,
-      {.required = true, .doc = "instead: outside | film and thickness | inside, as in \"air | water 300nm | air\""}}};
+  return std::tuple{
+      Field{"stack",
+            &StackFilmDesc::stack,
+            {.required = true, .doc = "instead: outside | layers | inside, as in \"air | water 300nm | air\""}},
+      Field{"vary", &StackFilmDesc::vary, {.doc = "with a stack: one of its layers and how thick it is, and where"}}};
 }
 
 constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }

@@ -171,9 +171,10 @@ void agrees_with(const std::string& name, const scene::SceneDesc& description, S
 TEST(RenderMeans, are_the_integral_over_probes) {
   Summary summary;
   int number = 0;
-  for (const char* name : {"single", "even", "dense", "overlapping", "three overlapping", "nested", "touching",
-                           "air in water", "cluster", "coincident", "absorbing", "concentric"}) {
-    const bool large_trees = number >= 18;
+  for (const char* name :
+       {"single", "even", "dense", "overlapping", "three overlapping", "nested", "touching", "air in water", "stacks",
+        "absorbing stacks", "gaps in glass", "cluster", "coincident", "absorbing", "concentric"}) {
+    const bool large_trees = number >= 24;
     for (const math::Vec3d target : {math::Vec3d{0.31, 0.23, 0}, {-0.55, -0.2, 0.1}}) {
       ++number;
       if (large_trees && number % 2) continue;

@@ -106,8 +106,9 @@ inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, 
   const std::size_t count = table.layers.size();
   for (std::size_t met = 0; met < count; ++met) {
     const std::size_t j = at.from_exit ? met : count - 1 - met;
-    const LayerRows& layer = table.layers[j];
-    cross_layer<T, N>(table, layer, ray, j == at.layer ? at.thickness_nm : layer.thickness_nm, fields, faded);
+    const LayerOfTable& layer = table.layers[j];
+    cross_layer<T, N>(table, table.media[layer.medium], ray, j == at.layer ? at.thickness_nm : layer.thickness_nm,
+                      fields, faded);
     sides.s.inside += size_of(fields.s), sides.p.inside += size_of(fields.p);
     if (met % layers_between_scalings == layers_between_scalings - 1)
       rescale(fields.s, sides.s), rescale(fields.p, sides.p);
@@ -171,23 +172,37 @@ inline bool needs_double(const StackSides<float, N>& sides) {
   return bits(fine) != (N == 32 ? ~0u : (1u << N) - 1);
 }
 
-// finish(StackSides<T, M>) -> std::array of packets<T, M>, in the precision that the stack needs; as packets of N
-// floats.
+// Packets of N from those of both halves.
+template <int N, class Halves>
+inline auto joined_halves(const Halves& low, const Halves& high) {
+  using T = std::remove_cvref_t<decltype(low[0][0])>;
+  std::array<math::packet<T, N>, std::tuple_size_v<Halves>> result;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {low[i], high[i]};
+  return result;
+}
+
+// finish(StackSides<T, M>) -> std::array of packets<T, M>, as packets of N; for registers M at a time.
+template <class T, int N, class Finish>
+inline auto in_lanes_of(const StackTable& table, std::size_t first, const StackRay& at, const Finish& finish) {
+  if constexpr (!math::fits_register<T, N>)
+    return joined_halves<N>(in_lanes_of<T, N / 2>(table, first, at, finish),
+                            in_lanes_of<T, N / 2>(table, first + N / 2, at, finish));
+  else
+    return finish(cross_stack<T, N>(table, first, at));
+}
+
+// The same as packets of float, in the precision that the stack needs.
 template <int N, class Finish>
 inline auto with_enough_digits(const StackTable& table, std::size_t first, const StackRay& at, const Finish& finish) {
-  using math::convert;
   if constexpr (!math::fits_register<float, N>) {
-    const auto low = with_enough_digits<N / 2>(table, first, at, finish);
-    const auto high = with_enough_digits<N / 2>(table, first + N / 2, at, finish);
-    std::array<math::packet<float, N>, std::tuple_size_v<decltype(low)>> result;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = {low[i], high[i]};
-    return result;
+    return joined_halves<N>(with_enough_digits<N / 2>(table, first, at, finish),
+                            with_enough_digits<N / 2>(table, first + N / 2, at, finish));
   } else {
     const StackSides<float, N> sides = cross_stack<float, N>(table, first, at);
     auto result = finish(sides);
     if (needs_double(sides)) [[unlikely]] {
-      const auto exact = finish(cross_stack<double, N>(table, first, at));
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] = convert<float>(exact[i]);
+      const auto exact = in_lanes_of<double, N>(table, first, at, finish);
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = math::convert<float>(exact[i]);
     }
     return result;
   }
@@ -210,17 +225,29 @@ inline std::array<math::packet<T, N>, 4> mueller_block(const math::packet<T, N>&
   return {T(0.5) * (s + p), T(0.5) * (s - p), both.re, both.im};
 }
 
-// Both Mueller blocks, for a stack between equal media: r from the side of medium 1 (of the exit with from_exit), and
-// t, which is the same from both sides.
-template <int N>
-inline FilmMueller<N> stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
-  const auto x = with_enough_digits<N>(table, first, at, [](const auto& sides) {
+struct MuellerOfSides {
+  template <class T, int N>
+  std::array<math::packet<T, N>, 8> operator()(const StackSides<T, N>& sides) const {
     const auto s = powers_of(sides.s, sides.lossless), p = powers_of(sides.p, sides.lossless);
     const auto in_s = amplitudes_of(sides.s, sides.lossless), in_p = amplitudes_of(sides.p, sides.lossless);
-    const auto r = mueller_block(s[0], p[0], in_s.r * conj(in_p.r)),
-               t = mueller_block(s[1], p[1], in_s.t * conj(in_p.t));
-    return std::array{r[0], r[1], r[2], r[3], t[0], t[1], t[2], t[3]};
-  });
+    const auto r = mueller_block(s[0], p[0], in_s.r * conj(in_p.r));
+    const auto t = mueller_block(s[1], p[1], in_s.t * conj(in_p.t));
+    return {r[0], r[1], r[2], r[3], t[0], t[1], t[2], t[3]};
+  }
+};
+
+// Both Mueller blocks within 5e-6, for a stack between equal media: r from the side of medium 1 (of the exit with
+// from_exit), and t, which is the same from both sides.
+template <int N>
+inline FilmMueller<N> stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
+  const auto x = with_enough_digits<N>(table, first, at, MuellerOfSides());
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]}};
+}
+
+// The same in double.
+template <int N>
+inline FilmMueller<N, double> exact_stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
+  const auto x = in_lanes_of<double, N>(table, first, at, MuellerOfSides());
   return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]}};
 }
 

@@ -91,7 +91,7 @@ struct Roots {
 
 // A lossless layer with a real angle, q^2 > 0.
 template <class T, int N>
-inline void cross_dispersive(const LayerRows& layer, const RayLanes<N>& ray, double thickness_nm,
+inline void cross_dispersive(const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
                              BothFields<T, N>& fields) {
   const SquaredRows<T>& squared = layer.squared<T>();
   const Roots<T, N> roots(row_at<N>(layer.step, ray.first) + ray.q1_squared);
@@ -105,7 +105,7 @@ inline void cross_dispersive(const LayerRows& layer, const RayLanes<N>& ray, dou
 // The same where neither the layer nor medium 1 is dispersive: the angle and all that follows from it are single
 // numbers.
 template <class T, int N>
-inline void cross_constant(const LayerRows& layer, const RayLanes<N>& ray, double n1_squared, double thickness_nm,
+inline void cross_constant(const MediumRows& layer, const RayLanes<N>& ray, double n1_squared, double thickness_nm,
                            BothFields<T, N>& fields) {
   using P = math::packet<T, N>;
   const double q = std::sqrt(layer.step[0] + n1_squared * ray.cos2), over_q = 1 / q;
@@ -157,8 +157,8 @@ inline math::complex_packet<T, N> row_pair(const WavelengthRow<T>& re, const Wav
 
 // Any layer: absorbing, or beyond its critical angle. `faded` grows by log2 of what the scaling took away.
 template <class T, int N>
-inline void cross_general(const LayerRows& layer, const RayLanes<N>& ray, double thickness_nm, BothFields<T, N>& fields,
-                          math::packet<T, N>& faded) {
+inline void cross_general(const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
+                          BothFields<T, N>& fields, math::packet<T, N>& faded) {
   using P = math::packet<T, N>;
   using C = math::complex_packet<T, N>;
   constexpr double pi_log2_e = std::numbers::pi * std::numbers::log2e;
@@ -180,7 +180,7 @@ inline void cross_general(const LayerRows& layer, const RayLanes<N>& ray, double
 
 // Whichever the layer needs at this angle.
 template <class T, int N>
-inline void cross_layer(const StackTable& table, const LayerRows& layer, const RayLanes<N>& ray, double thickness_nm,
+inline void cross_layer(const StackTable& table, const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
                         BothFields<T, N>& fields, math::packet<T, N>& faded) {
   constexpr double least_q_squared = 1e-20;  // whose reciprocal root is still an ordinary number
   const bool real_angle = layer.lossless && layer.least_step + table.least_n1_squared * ray.cos2 > least_q_squared;

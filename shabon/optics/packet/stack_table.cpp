@@ -70,10 +70,15 @@ StackTable::StackTable(const Stack& stack, std::span<const double> wavelengths_n
   fill(exit, stack.exit, at);
   for (std::size_t i = 0; i < row_size; ++i)
     equal_outer_media = equal_outer_media && exit.lossless && exit.step[i] == 0;
+  std::vector<const Medium*> known;
   for (const Layer& layer : stack.layers) {
-    fill(layers.emplace_back(), layer.medium, at);
-    layers.back().thickness_nm = layer.thickness_nm;
-    lossless = lossless && layers.back().lossless;
+    const auto same = [&](const Medium* medium) { return *medium == layer.medium; };
+    const auto found = std::find_if(known.begin(), known.end(), same);
+    layers.push_back({static_cast<std::size_t>(found - known.begin()), layer.thickness_nm});
+    if (found != known.end()) continue;
+    known.push_back(&layer.medium);
+    fill(media.emplace_back(), layer.medium, at);
+    lossless = lossless && media.back().lossless;
   }
 }
 

@@ -36,7 +36,7 @@ struct SquaredRows {
   WavelengthRow<T> n_squared, n_squared_im, inverse, inverse_im;
 };
 
-// One layer, or one of the two half-spaces.
+// The medium of layers or of a half-space.
 struct MediumRows {
   bool lossless = true;
   bool constant = true;                 // neither its index nor that of medium 1 depends on the wavelength
@@ -54,8 +54,9 @@ struct MediumRows {
   }
 };
 
-struct LayerRows : MediumRows {
-  double thickness_nm = 0;
+struct LayerOfTable {
+  std::size_t medium;  // index into StackTable::media
+  double thickness_nm;
 };
 
 struct StackTable {
@@ -69,7 +70,8 @@ struct StackTable {
   double least_n1_squared = 1;
   WavelengthRow<double> half_turns_per_nm;  // 2/wavelength
   MediumRows incidence, exit;
-  std::vector<LayerRows> layers;
+  std::vector<MediumRows> media;  // each once, however many layers it has
+  std::vector<LayerOfTable> layers;
 };
 
 }  // namespace shabon::optics

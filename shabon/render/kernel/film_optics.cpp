@@ -7,17 +7,6 @@ inline namespace SHABON_REGISTERS {
 
 namespace {
 
-using Complex = math::complex_packet<double, lane_count>;
-
-optics::MuellerBlock<lane_count> block(const Complex& x_s, const Complex& x_p, const LanesD& factor_s,
-                                       const LanesD& factor_p) {
-  const LanesD s = norm(x_s) * factor_s, p = norm(x_p) * factor_p;
-  // Equal media on both sides: the two factors are equal, and their root mean is either of them.
-  const Complex both = x_s * conj(x_p) * Complex(factor_s);
-  const auto to_float = [](const LanesD& value) { return math::convert<float>(value); };
-  return {to_float((s + p) * 0.5), to_float((s - p) * 0.5), to_float(both.re), to_float(both.im)};
-}
-
 // One block of the reference, lane by lane.
 class BlockOfRows {
  public:
@@ -33,9 +22,10 @@ class BlockOfRows {
   alignas(64) float values_[4][lane_count];
 };
 
-// The models other than airy.
-Mueller from_reference(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
-                       double thickness_nm) {
+}  // namespace
+
+Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
+                        double thickness_nm) {
   const double cos2 = std::max(cos_i * cos_i, optics::least_cos2);
   const optics::Incidence incidence = optics::incidence_from_cos(std::sqrt(cos2));
   BlockOfRows reflected, transmitted;
@@ -51,19 +41,23 @@ Mueller from_reference(const SceneTables& tables, const FilmTable& film, std::si
   return {reflected.block(), transmitted.block()};
 }
 
+namespace {
+
+optics::StackRay ray_of(const EventBlock& block, int lane) {
+  return {.cos_i = block.cos_i[lane],
+          .from_exit = !block.inward[lane],
+          .layer = block.film[lane]->varied_layer,
+          .thickness_nm = block.thickness_nm[lane]};
+}
+
 }  // namespace
 
-Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
-                        double thickness_nm) {
-  if (tables.scene.render.interference != optics::Interference::airy)
-    return from_reference(tables, film, comb, cos_i, thickness_nm);
-  const double cos2 = std::max(cos_i * cos_i, optics::least_cos2);
-  const LanesD n1 = sqrt(tables.combs[comb].medium_n_squared);
-  const optics::LayerLanes<lane_count> at{Complex(n1), Complex(film.n_lanes[comb][0], film.n_lanes[comb][1]),
-                                          Complex(n1), tables.combs[comb].inverse_wavelength_per_nm};
-  const auto x = optics::airy_amplitudes(at, thickness_nm, std::sqrt(cos2));
-  const LanesD one(1.0);
-  return {block(x.r_s, x.r_p, one, one), block(x.t_s, x.t_p, x.transmission_s, x.transmission_p)};
+Powers stack_powers(const EventBlock& block, int lane, std::size_t comb) {
+  return optics::stack_powers<lane_count>(*block.film[lane]->stack, comb * lane_count, ray_of(block, lane));
+}
+
+Mueller stack_mueller(const EventBlock& block, int lane, std::size_t comb) {
+  return optics::stack_mueller<lane_count>(*block.film[lane]->stack, comb * lane_count, ray_of(block, lane));
 }
 
 }  // namespace SHABON_REGISTERS

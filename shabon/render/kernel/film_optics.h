@@ -2,7 +2,7 @@
 // blocks for any other.
 #pragma once
 
-#include "shabon/optics/packet/airy.h"
+#include "shabon/optics/packet/stack.h"
 #include "shabon/render/kernel/event_block.h"
 
 namespace shabon::render {
@@ -109,15 +109,20 @@ inline Mueller film_mueller(optics::Interference mode, const Crossing<L, D>& at)
                                Lanes(rho.pass_s) * Lanes(rho.pass_p));
 }
 
-// Absorbing films, and films of lower index than the medium (beyond their critical angle light tunnels through).
+// Stacks: several layers, absorbing ones, and layers of lower index than the medium (beyond their critical angle light
+// tunnels through). Seen from the outside or the inside.
+Powers stack_powers(const EventBlock& block, int lane, std::size_t comb);
+Mueller stack_mueller(const EventBlock& block, int lane, std::size_t comb);
+
+// One such layer under the models other than airy.
 Mueller general_mueller(const SceneTables& tables, const FilmTable& film, std::size_t comb, double cos_i,
                         double thickness_nm);
 
-// One event by the kind of its film: what `of_crossing` makes of a lossless one, `of_mueller` of the blocks of any
-// other.
-template <class OfCrossing, class OfMueller>
+// One event by the kind of its film: what `of_crossing` makes of a lossless one, `of_stack` computes for a stack,
+// `of_mueller` makes of the blocks of any other.
+template <class OfCrossing, class OfStack, class OfMueller>
 inline auto film_at_event(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb,
-                          const OfCrossing& of_crossing, const OfMueller& of_mueller) {
+                          const OfCrossing& of_crossing, const OfStack& of_stack, const OfMueller& of_mueller) {
   const FilmTable& film = *block.film[lane];
   const auto mode = tables.scene.render.interference;
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
@@ -126,6 +131,8 @@ inline auto film_at_event(const SceneTables& tables, const EventBlock& block, in
       return of_crossing(mode, constant_crossing(tables, block, lane, per_wavelength));
     case FilmKind::dispersive:
       return of_crossing(mode, dispersive_crossing(tables, block, lane, comb, per_wavelength));
+    case FilmKind::stack:
+      return of_stack(block, lane, comb);
     case FilmKind::grey:
       return of_mueller(grey_mueller(tables.grey_reflectance));
     case FilmKind::general:
@@ -137,13 +144,14 @@ inline auto film_at_event(const SceneTables& tables, const EventBlock& block, in
 // What the film does to a path whose events all lie in one plane.
 inline Powers event_powers(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
   return film_at_event(
-      tables, block, lane, comb, [](auto mode, const auto& at) { return film_powers(mode, at); }, powers_of);
+      tables, block, lane, comb, [](auto mode, const auto& at) { return film_powers(mode, at); }, stack_powers,
+      [](const Mueller& m) { return powers_of(m); });
 }
 
 // The same for any other path.
 inline Mueller event_mueller(const SceneTables& tables, const EventBlock& block, int lane, std::size_t comb) {
   return film_at_event(
-      tables, block, lane, comb, [](auto mode, const auto& at) { return film_mueller(mode, at); },
+      tables, block, lane, comb, [](auto mode, const auto& at) { return film_mueller(mode, at); }, stack_mueller,
       [](const Mueller& m) { return m; });
 }
 

@@ -34,17 +34,25 @@ ProbeFilms::ProbeFilms(const scene::Scene& scene, const WavelengthGroup& wavelen
   n1_squared_ = per_lane([&](std::size_t i) { return n1_[i].real() * n1_[i].real(); });
   for (const scene::Film& film : scene.films) {
     Film& table = films_.emplace_back();
-    table.n = index_of(film.medium);
-    table.free = interference_ == optics::Interference::airy;
+    const bool exact = interference_ == optics::Interference::airy;
+    table.n = index_of(film.layers.front().medium);
+    table.free = exact && film.layers.size() == 1;
     for (std::size_t i = 0; i < table.n.size(); ++i)
       table.free = table.free && table.n[i].imag() == 0 && n1_[i].imag() == 0 && table.n[i].real() >= n1_[i].real();
     table.n2_squared = per_lane([&](std::size_t i) { return table.n[i].real() * table.n[i].real(); });
     table.indices = optics::exact_free_film_indices(n1_squared_, table.n2_squared);
+    table.varied_layer = film.varied_layer;
+    if (exact && !table.free)
+      table.stack.emplace(optics::Stack{scene.medium, film.layers, scene.medium}, wavelengths.nm);
   }
 }
 
-ProbeMueller ProbeFilms::blocks(std::size_t index, double thickness_nm, double cos_i) const {
+ProbeMueller ProbeFilms::blocks(std::size_t index, double thickness_nm, double cos_i, bool from_inside) const {
   const Film& film = films_[index];
+  if (film.stack)
+    return optics::exact_stack_mueller<probe_lanes>(
+        *film.stack, 0,
+        {.cos_i = cos_i, .from_exit = from_inside, .layer = film.varied_layer, .thickness_nm = thickness_nm});
   return film.free ? free_film(film, thickness_nm, cos_i) : by_reference(film, thickness_nm, cos_i);
 }
 

@@ -4,10 +4,11 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "shabon/optics/packet/free_film.h"
+#include "shabon/optics/packet/stack.h"
 #include "shabon/scene/scene.h"
 
 namespace shabon::render {
@@ -27,13 +28,17 @@ class ProbeFilms {
  public:
   ProbeFilms(const scene::Scene& scene, const WavelengthGroup& wavelengths);
 
-  // Film `index` of the scene, of this thickness, at cos_i > 0.
-  ProbeMueller blocks(std::size_t index, double thickness_nm, double cos_i) const;
+  // Film `index` of the scene, its varied layer of this thickness, at cos_i > 0; r as seen from the outside or the
+  // inside.
+  ProbeMueller blocks(std::size_t index, double thickness_nm, double cos_i, bool from_inside) const;
 
  private:
   struct Film {
-    std::array<std::complex<double>, probe_lanes> n;
-    bool free = false;  // the real form (10) holds: exact interference, no loss, no angle of total reflection
+    std::array<std::complex<double>, probe_lanes> n;  // of the first layer
+    bool free =
+        false;  // the real form (10) holds: one layer, exact interference, no loss, no angle of total reflection
+    std::optional<optics::StackTable> stack;  // exact interference where it does not
+    std::size_t varied_layer = 0;
     ProbeLanes n2_squared;
     optics::FreeFilmIndices<ProbeLanes> indices;
   };

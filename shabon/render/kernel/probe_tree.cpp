@@ -97,7 +97,8 @@ void ProbeTree::split(Branch& branch, const Vec3d& normal, double along, int slo
   const scene::Sphere& sphere = scene_.spheres[static_cast<std::size_t>(branch.from)];
   const auto film = static_cast<std::size_t>(sphere.first_film + slot);
   const double thickness_nm = film::thickness_nm(scene_.films[film].thickness, normal);
-  const ProbeMueller blocks = films_.blocks(film, thickness_nm, std::clamp(std::abs(along), least_cos, 1.0));
+  const ProbeMueller blocks =
+      films_.blocks(film, thickness_nm, std::clamp(std::abs(along), least_cos, 1.0), !branch.inward);
   const bool paper = scene_.render.interference == optics::Interference::two_beam;
   if (paper && branch.events >= two_beam_most_events) {
     ++light_.cut_branches;

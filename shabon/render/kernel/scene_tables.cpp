@@ -28,24 +28,37 @@ bool has_real_angles(const optics::Medium& film, const optics::Medium& outside) 
   return true;
 }
 
-FilmTable film_table(const scene::Film& film, const optics::Medium& outside, const std::vector<Comb>& combs) {
+optics::StackTable stack_table(const scene::Film& film, const optics::Medium& outside, const std::vector<Comb>& combs) {
+  std::vector<double> wavelengths_nm;
+  for (const Comb& comb : combs)
+    wavelengths_nm.insert(wavelengths_nm.end(), comb.wavelength_nm.begin(), comb.wavelength_nm.end());
+  return {optics::Stack{outside, film.layers, outside}, wavelengths_nm};
+}
+
+FilmTable film_table(const scene::Film& film, const optics::Medium& outside, optics::Interference interference,
+                     const std::vector<Comb>& combs) {
   FilmTable table;
   table.thickness = &film.thickness;
-  if (!has_real_angles(film.medium, outside)) {
+  const optics::Medium& medium = film.layers.front().medium;
+  const bool one_real_layer = film.layers.size() == 1 && has_real_angles(medium, outside);
+  if (!one_real_layer && interference == optics::Interference::airy) {
+    table.kind = FilmKind::stack;
+    table.stack = stack_table(film, outside, combs);
+    table.varied_layer = film.varied_layer;
+  } else if (!one_real_layer) {
     table.kind = FilmKind::general;
     for (const Comb& comb : combs)
-      table.n_lanes.push_back({per_wavelength(comb, [&](double nm) { return film.medium.index(nm).real(); }),
-                               per_wavelength(comb, [&](double nm) { return film.medium.index(nm).imag(); })});
-  } else if (!film.medium.is_constant() || !outside.is_constant()) {
+      table.n_lanes.push_back({per_wavelength(comb, [&](double nm) { return medium.index(nm).real(); }),
+                               per_wavelength(comb, [&](double nm) { return medium.index(nm).imag(); })});
+  } else if (!medium.is_constant() || !outside.is_constant()) {
     table.kind = FilmKind::dispersive;
     for (const Comb& comb : combs) {
-      table.n_squared_lanes.push_back(
-          per_wavelength(comb, [&](double nm) { return std::norm(film.medium.index(nm)); }));
+      table.n_squared_lanes.push_back(per_wavelength(comb, [&](double nm) { return std::norm(medium.index(nm)); }));
       table.indices_lanes.push_back(optics::free_film_indices(
           per_wavelength(comb, [&](double nm) { return std::norm(outside.index(nm)); }), table.n_squared_lanes.back()));
     }
   } else {
-    table.n_squared = std::norm(film.medium.index(color::first_nm));
+    table.n_squared = std::norm(medium.index(color::first_nm));
     table.indices = optics::free_film_indices(std::norm(outside.index(color::first_nm)), table.n_squared);
   }
   return table;
@@ -72,7 +85,8 @@ SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey)
     const color::Xyz xyz = color::radiance_to_xyz(channel, observer);
     channel_xyz.push_back({static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z)});
   }
-  for (const scene::Film& film : scene.films) films.push_back(film_table(film, scene.medium, wavelengths));
+  for (const scene::Film& film : scene.films)
+    films.push_back(film_table(film, scene.medium, scene.render.interference, wavelengths));
   if (grey) {
     grey_reflectance = static_cast<float>(*grey);
     for (FilmTable& film : films) film.kind = FilmKind::grey;

@@ -6,6 +6,7 @@
 
 #include "shabon/geometry/sphere_set.h"
 #include "shabon/optics/packet/free_film.h"
+#include "shabon/optics/packet/stack_table.h"
 #include "shabon/render/kernel/lanes.h"
 #include "shabon/scene/scene.h"
 
@@ -16,7 +17,8 @@ inline namespace SHABON_REGISTERS {
 enum class FilmKind {
   constant,    // lossless, no index depends on the wavelength
   dispersive,  // lossless
-  general,     // absorbing, or of lower index than the medium: the general layer, in double
+  stack,       // any other: several layers, absorption, an index below the medium's
+  general,     // the same of one layer, for the models other than airy
   grey,        // constant reflectance, for benchmarks only
 };
 
@@ -27,6 +29,8 @@ struct FilmTable {
   optics::FreeFilmIndices<float> indices{};                   // constant
   std::vector<LanesD> n_squared_lanes;                        // dispersive, per comb
   std::vector<optics::FreeFilmIndices<Lanes>> indices_lanes;  // dispersive, per comb
+  std::optional<optics::StackTable> stack;                    // all combs, one after the other
+  std::size_t varied_layer = 0;                               // stack
   std::vector<std::array<LanesD, 2>> n_lanes;                 // general, per comb: n and k
 };
 

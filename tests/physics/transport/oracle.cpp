@@ -94,7 +94,12 @@ struct Bubble {
   Point center;
   Real radius;
   film::ThicknessModel thickness;
-  std::vector<Complex> index;  // per wavelength
+  struct LayerIndex {
+    std::vector<Complex> at;  // per wavelength
+    double thickness_nm;
+  };
+  std::vector<LayerIndex> layers;  // from the outside
+  std::size_t varied = 0;          // whose thickness is `thickness`
 };
 
 double thickness_nm(const film::ThicknessModel& model, Real normal_y) {
@@ -150,8 +155,7 @@ class Tree {
     Field through(film.size()), back(film.size());
     const double d_nm = thickness_nm(bubble.thickness, normal.y);
     for (std::size_t i = 0; i < film.size(); ++i) {
-      film[i] = film_response(scene_.render.interference, outside_[i], bubble.index[i], d_nm,
-                              double(std::min<Real>(std::abs(along), 1)), wavelengths_nm_[i]);
+      film[i] = response(bubble, inside[index], i, d_nm, double(std::min<Real>(std::abs(along), 1)));
       if (cut) film[i].transmitted = kept_straight(film[i]);
       through[i] = backward(film[i].transmitted, film[i].depolarises, analyser[i], straight, straight);
       back[i] = backward(film[i].reflected, film[i].depolarises, analyser[i], turned, straight);
@@ -177,20 +181,39 @@ class Tree {
     int bubble = -1;
   };
 
+  // At one wavelength, seen from the inside or the outside.
+  FilmResponse response(const Bubble& bubble, bool from_inside, std::size_t i, double d_nm, double cos_i) const {
+    const auto model = scene_.render.interference;
+    if (bubble.layers.size() == 1)
+      return film_response(model, outside_[i], bubble.layers[0].at[i], d_nm, cos_i, wavelengths_nm_[i]);
+    std::vector<Layer> layers;
+    for (std::size_t j = 0; j < bubble.layers.size(); ++j)
+      layers.push_back({bubble.layers[j].at[i], j == bubble.varied ? d_nm : bubble.layers[j].thickness_nm});
+    if (from_inside) std::reverse(layers.begin(), layers.end());
+    return stack_response(outside_[i], layers, cos_i, wavelengths_nm_[i]);
+  }
+
   void add(const scene::BubbleDesc& bubble) {
-    Bubble result{to_real(bubble.center), bubble.radius, {}, {}};
-    optics::Medium medium;
+    Bubble result{to_real(bubble.center), bubble.radius, {}, {}, 0};
+    std::vector<optics::Layer> layers;
     if (const auto* film = std::get_if<scene::MediumFilmDesc>(&bubble.film)) {
       const auto found = optics::resolve_from_library(film->medium, false);
-      medium = found ? *found : parse(film->medium + " | 1").incidence;
+      layers = {{found ? *found : parse(film->medium + " | 1").incidence, 0, true}};
       result.thickness = film->thickness;
     } else {
-      const optics::Stack stack = parse(std::get<scene::StackFilmDesc>(bubble.film).stack);
-      medium = stack.layers.at(0).medium;
-      result.thickness = film::ConstantThickness{stack.layers[0].thickness_nm};
+      const auto& film_desc = std::get<scene::StackFilmDesc>(bubble.film);
+      const optics::Stack stack = parse(film_desc.stack);
+      layers = stack.layers;
+      result.varied = film_desc.vary ? static_cast<std::size_t>(film_desc.vary->layer - 1) : 0;
+      result.thickness = film::ConstantThickness{layers.at(result.varied).thickness_nm};
+      if (film_desc.vary) result.thickness = film_desc.vary->thickness;
       for (std::size_t i = 0; i < outside_.size(); ++i) outside_[i] = stack.incidence.index(wavelengths_nm_[i]).real();
     }
-    for (const int nm : wavelengths_nm_) result.index.push_back(medium.index(nm));
+    for (const optics::Layer& layer : layers) {
+      auto& added = result.layers.emplace_back();
+      added.thickness_nm = layer.thickness_nm;
+      for (const double nm : wavelengths_nm_) added.at.push_back(layer.medium.index(nm));
+    }
     bubbles_.push_back(std::move(result));
   }
 

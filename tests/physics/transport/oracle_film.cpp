@@ -89,6 +89,27 @@ FilmResponse paper(double n1, Complex n2, double thickness_nm, Angles at, double
 
 }  // namespace
 
+FilmResponse stack_response(double n_outside, const std::vector<Layer>& layers, double cos_i, double wavelength_nm) {
+  std::vector<Complex> n{n_outside}, c{cos_i};
+  for (const Layer& layer : layers) n.push_back(layer.n), c.push_back(angles(n_outside, layer.n, cos_i).c2);
+  n.push_back(n_outside), c.push_back(cos_i);
+  Wall all = wall(n[layers.size()], c[layers.size()], n_outside, cos_i);
+  for (std::size_t j = layers.size(); j-- > 0;) {
+    const Wall front = wall(n[j], c[j], n[j + 1], c[j + 1]);
+    const Complex once =
+        std::exp(2 * std::numbers::pi * i * n[j + 1] * c[j + 1] * layers[j].thickness_nm / wavelength_nm);
+    const auto joined = [&](Complex r_front, Complex t_front, Complex& r, Complex& t) {
+      const Complex bounces = 1.0 + r_front * r * once * once;
+      t = t_front * t * once / bounces;
+      r = (r_front + r * once * once) / bounces;
+    };
+    joined(front.r_s, front.t_s, all.r_s, all.t_s);
+    joined(front.r_p, front.t_p, all.r_p, all.t_p);
+  }
+  return {{std::norm(all.r_s), std::norm(all.r_p), all.r_s * std::conj(all.r_p)},
+          {std::norm(all.t_s), std::norm(all.t_p), all.t_s * std::conj(all.t_p)}};
+}
+
 FilmResponse film_response(optics::Interference model, double n_outside, Complex n_film, double thickness_nm,
                            double cos_i, double wavelength_nm) {
   const Angles at = angles(n_outside, n_film, cos_i);

@@ -10,8 +10,14 @@ using film::ConstantThickness;
 using film::LinearThickness;
 
 scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string stack) {
-  scene::BubbleDesc result{center, radius, scene::StackFilmDesc{std::move(stack)}};
-  return result;
+  return scene::BubbleDesc{center, radius, scene::StackFilmDesc{std::move(stack)}};
+}
+
+// One layer of the stack drains.
+scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string stack, int layer,
+                               film::ThicknessModel thickness) {
+  return scene::BubbleDesc{center, radius,
+                           scene::StackFilmDesc{std::move(stack), scene::VariedLayerDesc{layer, thickness}}};
 }
 
 // More bubbles than are looked at one by one.
@@ -73,6 +79,18 @@ const std::vector<Arrangement>& arrangements() {
       {"air in water",
        {stack_bubble({-0.6, 0, 0}, 0.6, "water | air 260nm | water"),
         stack_bubble({0.6, 0.1, 0.2}, 0.5, "water | 1.6 350nm | water")},
+       true,
+       false},
+      {"stacks",  // neither of them the same from both sides
+       {stack_bubble({-0.5, 0, 0}, 0.6, "air | 1.8 62nm | water 300nm | 1.46 95nm | air", 2, draining),
+        stack_bubble({0.6, 0.2, 0.3}, 0.45, "air | (1.7 70nm | 1.4 100nm)^3 | water 240nm | air")}},
+      {"absorbing stacks",
+       {stack_bubble({-0.3, 0, 0}, 0.8, "air | 1.5 120nm | 0.2+3i 9nm | water 300nm | air", 3, draining),
+        stack_bubble({0.3, 0.1, 0.2}, 0.6, "air | 2.2+0.03i 140nm | water 500nm | air"),
+        stack_bubble({-0.3, 0, 0}, 0.5, "air | 1.7+0.4i 25nm | 1.4 200nm | air")},
+       false},
+      {"gaps in glass",  // light tunnels through the air
+       {stack_bubble({0, 0, 0}, 0.8, "1.5 | 2.1 90nm | air 180nm | 1.38 110nm | 1.5")},
        true,
        false},
       {"cluster", cluster()},

@@ -88,8 +88,27 @@ TEST(Compile, reads_films_of_every_spelling_alike) {
   description.objects = {BubbleDesc{{0, 0, 0}, 1, MediumFilmDesc{"1.5", film::ConstantThickness{300}}},
                          BubbleDesc{{0, 0, 0}, 1, StackFilmDesc{"air | 1.5 0.3um | vacuum"}}};
   const Scene scene = compiled(description);
-  EXPECT_EQ(scene.films[0].medium, scene.films[1].medium);
+  EXPECT_EQ(scene.films[0].layers.front().medium, scene.films[1].layers.front().medium);
   EXPECT_DOUBLE_EQ(std::get<film::ConstantThickness>(scene.films[1].thickness).constant_nm, 300);
+}
+
+TEST(Compile, reads_stacks_with_the_thickness_of_one_layer) {
+  const std::string stack = "air | 2.1 60nm | water 300nm | 1.46 90nm | air";
+  SceneDesc description;
+  description.objects = {
+      BubbleDesc{{0, 0, 0}, 1, StackFilmDesc{stack}},
+      BubbleDesc{{0, 0, 0}, 1, StackFilmDesc{stack, VariedLayerDesc{2, film::LinearThickness{150, 900}}}},
+      BubbleDesc{
+          {0, 0, 0}, 1, StackFilmDesc{"air | water 300nm | air", VariedLayerDesc{1, film::ConstantThickness{70}}}}};
+  const Scene scene = compiled(description);
+  ASSERT_EQ(scene.films.size(), 3u);
+  EXPECT_EQ(scene.films[0].layers.size(), 3u);
+  EXPECT_EQ(scene.films[0].varied_layer, 0u);
+  EXPECT_EQ(std::get<film::ConstantThickness>(scene.films[0].thickness).constant_nm, 60);
+  EXPECT_EQ(scene.films[1].layers, scene.films[0].layers);
+  EXPECT_EQ(scene.films[1].varied_layer, 1u);
+  EXPECT_EQ(std::get<film::LinearThickness>(scene.films[1].thickness).bottom_nm, 900);
+  EXPECT_EQ(std::get<film::ConstantThickness>(scene.films[2].thickness).constant_nm, 70);
 }
 
 TEST(Compile, the_outer_medium_of_the_films_fills_the_scene) {
