@@ -20,7 +20,8 @@ constexpr std::array command_list{
     Command{"probe", "The spectrum that arrives along one ray", declare_probe},
     Command{"spectrum", "Reflectance and transmittance of a film over wavelength and angle", declare_spectrum},
     Command{"color", "The colour of a film under a lamp", declare_color},
-    Command{"media", "List the media of the library", declare_media},
+    Command{"chart", "Draw charts of film colours and of birefringence", declare_chart},
+    Command{"media", "List the media of the library, print and draw their n and k", declare_media},
     Command{"lamps", "List the lamps and observers of the library", declare_lamps},
 };
 

@@ -24,6 +24,7 @@ Action declare_render(CLI::App& app);
 Action declare_probe(CLI::App& app);
 Action declare_spectrum(CLI::App& app);
 Action declare_color(CLI::App& app);
+Action declare_chart(CLI::App& app);
 Action declare_media(CLI::App& app);
 Action declare_lamps(CLI::App& app);
 

@@ -16,7 +16,7 @@ using namespace svg;
 
 constexpr double margin_left = 72, margin_right = 24, margin_top = 12, margin_bottom = 12;
 constexpr double title_size = 17, title_line = 24, subtitle_line = 20, note_line = 16;
-constexpr double strip_gap = 8, strip_label_line = 20, heading_line = 24, plot_gap = 14;
+constexpr double strip_gap = 8, strip_label_line = 22, heading_line = 24, plot_gap = 14;
 constexpr double least_strip = 8, least_plot = 40;
 constexpr double tick_line = 24, axis_label_line = 22, note_gap = 6;
 constexpr double end_title_line = 18;
@@ -62,7 +62,7 @@ std::string draw_strips(const Chart& chart, Frame& frame, double height, double&
   for (std::size_t i = 0; i < chart.strips.size(); ++i) {
     const ChartStrip& strip = chart.strips[i];
     if (!strip.label.empty()) {
-      svg += text(frame.left, y + small_size, strip.label, {.size = text_size});
+      svg += text(frame.left, y + text_size + 2, strip.label, {.size = text_size});
       y += strip_label_line;
     }
     if (!strip.spans.empty()) {
@@ -125,30 +125,43 @@ Heights share_height(const Chart& chart, const std::vector<const ChartPlot*>& pl
   const auto strips = static_cast<double>(chart.strips.size()), count = static_cast<double>(plots.size());
   for (const ChartStrip& strip : chart.strips) room -= above_strip(strip) + strip_gap;
   for (const ChartPlot* plot : plots) room -= above_plot(*plot);
-  if (plots.empty()) return {strips > 0 ? std::max(room / strips, least_strip) : 0, 0};
+  // Below strips alone the axis follows the last one without a gap.
+  if (plots.empty()) return {strips > 0 ? std::max((room + strip_gap) / strips, least_strip) : 0, 0};
   room -= plot_gap * (count - 1);
   const double strip = std::max<double>(chart.strip_height_px, least_strip);
   return {strip, std::max((room - strip * strips) / count, least_plot)};
 }
 
+// Of all below the legend, for a drawing as high as its contents.
+double needed_height(const Chart& chart, const std::vector<const ChartPlot*>& plots) {
+  constexpr double usual_plot = 260;
+  double height = foot_height(chart);
+  for (const ChartStrip& strip : chart.strips)
+    height += above_strip(strip) + strip_gap + std::max<double>(chart.strip_height_px, least_strip);
+  for (const ChartPlot* plot : plots) height += above_plot(*plot) + usual_plot + plot_gap;
+  return height - (plots.empty() ? strip_gap : plot_gap);
+}
+
 }  // namespace
 
 std::string chart_svg(const Chart& chart) {
-  const int width = std::max(chart.width_px, 200), height = std::max(chart.height_px, 150);
+  const int width = std::max(chart.width_px, 200);
   const std::vector<const ChartPlot*> plots = drawn_plots(chart);
   double room_right = margin_right;
   for (const ChartPlot* plot : plots) room_right = std::max(room_right, end_label_room(*plot) + 4);
   Frame frame{{margin_left, 0, width - room_right, 0}, x_range(chart), {}};
-  std::string svg = opening(width, height);
   double y = margin_top;
-  svg += draw_titles(chart, frame.left, y);
+  std::string svg = draw_titles(chart, frame.left, y);
   svg += draw_legend(chart, frame.left, frame.right, y);
+  const int height = chart.height_px == 0 ? static_cast<int>(std::ceil(y + needed_height(chart, plots)))
+                                          : std::max(chart.height_px, 150);
   const Heights heights = share_height(chart, plots, height - y - foot_height(chart));
   svg += draw_strips(chart, frame, heights.strip, y);
   svg += draw_plots(plots, frame, heights.plot, y);
   // Strips alone: the axis follows the last one without a gap.
   const bool follows_strip = plots.empty() && !chart.strips.empty();
-  return svg + draw_foot(chart, frame, follows_strip ? y - strip_gap : y) + "</svg>\n";
+  svg += draw_foot(chart, frame, follows_strip ? y - strip_gap : y);
+  return opening(width, height) + svg + "</svg>\n";
 }
 
 std::string sequence_color(std::size_t index, std::size_t count) {

@@ -73,8 +73,9 @@ struct Chart : ChartPlot {
   std::vector<ChartStrip> strips;
   std::vector<ChartPlot> further;
   std::vector<ChartSpan> spans;  // marked below the horizontal axis
-  int strip_height_px = 26;      // where there is a plot
-  // Of the whole drawing; 96 px are an inch. The text is 9 to 13 points.
+  int strip_height_px = 26;      // where there is a plot, too
+  // Of the whole drawing; 96 px are an inch. The text is 9 to 13 points. Height 0: as much as the contents need, with
+  // strips of strip_height_px.
   int width_px = 800, height_px = 500;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double end_gap = 6, rule_pad = 3;
 constexpr double legend_line = 22, legend_stroke = 26, legend_gap = 18;
-constexpr double halo_extra = 1.8;
+constexpr double halo_extra = 1.4;
 
 // Okabe and Ito, "Color Universal Design" (2008), without the yellow, which is too light for a line on white.
 constexpr std::array<std::string_view, 7> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -92,7 +92,7 @@ std::string draw_rule(const ChartRule& rule, const Frame& frame) {
   svg += line(frame.left, y, frame.right, y, "#1a1a1a", 1.4, attribute("stroke-dasharray", "8 4"));
   if (rule.label.empty()) return svg;
   const double width = text_width(rule.label, small_size);
-  const double left = frame.left + 14, top = y - small_size / 2 - rule_pad;
+  const double left = frame.right - 14 - width - 4 * rule_pad, top = y - small_size / 2 - rule_pad;
   svg += rectangle({left, top, left + width + 4 * rule_pad, top + small_size + 2 * rule_pad}, "#ffffff",
                    attribute("rx", "3") + attribute("stroke", "#333333") + attribute("stroke-width", "0.75"));
   return svg + text(left + width / 2 + 2 * rule_pad, y + small_size * 0.36, rule.label,

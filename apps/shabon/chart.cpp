@@ -1,0 +1,260 @@
+// shabon chart KIND: options -> colours -> drawing and table -> files.
+#include "chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "chart_files.h"
+#include "command.h"
+#include "lamp_input.h"
+#include "options.h"
+#include "picture_files.h"
+#include "shabon/optics/stack_expression.h"
+#include "stack_input.h"
+#include "streams.h"
+
+namespace shabon::app {
+
+namespace {
+
+constexpr std::size_t most_values = 20'001, most_angles = 1000, most_birefringences = 200;
+constexpr double drawing_width_in = 1000.0 / 96;
+constexpr double most_dpi = 1200, least_dpi = 20, most_exposure_ev = 100;
+constexpr long long least_width_px = 200, most_width_px = 12'500;
+
+// An option that only some kinds of chart know.
+struct SomeKinds {
+  const CLI::Option* option;
+  std::vector<std::string_view> kinds;
+};
+
+struct ChartCommand {
+  std::size_t kind = 0;
+  ChartOptions chart;
+  std::string lamp = "D65";
+  std::vector<std::string> outputs;
+  std::optional<std::size_t> print;  // index of chart_file_kinds()
+  std::optional<double> dpi;
+  std::optional<long long> width_px;
+  std::vector<SomeKinds> limited;
+};
+
+// The files that the stack and the lamp are read from, which no output may replace.
+std::vector<std::filesystem::path> input_files(const ChartCommand& command) {
+  std::vector<std::filesystem::path> files;
+  const auto note = [&](std::string_view name, bool is_file) -> Result<optics::Medium> {
+    if (is_file) files.emplace_back(name);
+    return optics::Medium();
+  };
+  if (command.chart.expression) (void)optics::parse_stack(*command.chart.expression, note).ok();
+  if (const auto file = color::illuminant_file(command.lamp)) files.emplace_back(*file);
+  return files;
+}
+
+Status check_usage(const ChartCommand& command) {
+  const std::string_view kind = chart_kinds[command.kind].name;
+  for (const SomeKinds& limited : command.limited) {
+    const bool known = std::find(limited.kinds.begin(), limited.kinds.end(), kind) != limited.kinds.end();
+    if (!known && limited.option->count() > 0)
+      return fail(Failure::usage, fmt::format("{}: expected with {} only, got it with {}", limited.option->get_name(),
+                                              fmt::join(limited.kinds, " and "), kind));
+  }
+  if (command.print && !command.outputs.empty())
+    return fail(Failure::usage, "--format: expected without --output, whose ending tells the format");
+  if (command.dpi && command.width_px) return fail(Failure::usage, "--width: expected without --dpi, got both");
+  return Done{};
+}
+
+ChartPixels pixels_of(const ChartCommand& command) {
+  if (command.width_px) return {static_cast<double>(*command.width_px) / drawing_width_in};
+  return command.dpi ? ChartPixels{*command.dpi} : ChartPixels{};
+}
+
+// Writes what it can; the exit code of the first failure.
+int write_all(const std::vector<ChartFile>& files, const MadeChart& chart, ChartPixels pixels) {
+  int code = success;
+  for (const ChartFile& file : files) {
+    const Status written = write_chart(file, chart, pixels);
+    if (written) {
+      say(fmt::format("wrote {}", printable(file.path.string())));
+      continue;
+    }
+    const int failed = report(written.errors());
+    code = code == success ? failed : code;
+  }
+  return code;
+}
+
+int run_chart(ChartCommand& command) {
+  const ChartKind& kind = chart_kinds[command.kind];
+  if (const Status usage = check_usage(command); !usage) return report(usage.errors());
+  std::vector<std::string> names = command.outputs;
+  if (names.empty() && !command.print) names.push_back(std::string(kind.name) + ".png");
+  const Result<std::vector<ChartFile>> files = chart_files(names);
+  if (!files) return report(files.errors());
+  std::vector<std::filesystem::path> paths;
+  for (const ChartFile& file : *files) paths.push_back(file.path);
+  if (const Status writable = check_outputs(paths, input_files(command)); !writable) return report(writable.errors());
+
+  Result<color::Illuminant> lamp = read_lamp(command.lamp);
+  if (!lamp) return report(lamp.errors());
+  command.chart.lamp = std::move(*lamp);
+  const Result<MadeChart> chart = kind.make(command.chart);
+  if (!chart) return report(chart.errors());
+  report(chart->warnings);
+  if (!command.print) return write_all(*files, *chart, pixels_of(command));
+  const Result<std::string> bytes = chart_file_kinds()[*command.print].bytes(*chart, pixels_of(command));
+  return bytes ? print_result(*bytes) : report(bytes.errors());
+}
+
+// One of the names, with no default that is the same for all kinds.
+CLI::Option* add_optional_name(CLI::App& app, const std::string& name, std::optional<std::size_t>& target,
+                               const std::vector<std::string_view>& names, const std::string& description) {
+  const auto choose = [&target, name, names](const std::string& text) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (same_name(names[i], text)) target = i;
+    if (!target) usage_error(name, unknown_name("value", text, names));
+  };
+  return app.add_option_function<std::string>(name, choose, description)->type_name("NAME");
+}
+
+// The options of films and of plates.
+void declare_content(CLI::App& app, ChartCommand& command) {
+  ChartOptions& chart = command.chart;
+  const std::vector<std::string_view> films = {"newton", "angle"}, newton = {"newton"}, levy = {"michel-levy"};
+  const auto limit = [&](CLI::Option* option, std::vector<std::string_view> kinds) {
+    command.limited.push_back({option, std::move(kinds)});
+  };
+  const auto add_range = [&](const std::string& name, std::optional<ChartRange>& target, const std::string& help) {
+    const auto read = [&target, name](const std::string& text) {
+      target = range_in(name, text, length_units, {.low = 0, .high = optics::largest_thickness_nm}, most_values);
+    };
+    return app.add_option_function<std::string>(name, read, help)->type_name("A:B[:STEP]");
+  };
+  limit(add_text(app, "STACK", chart.expression, "", "Stack expression [air | water 0nm | air]"), films);
+  limit(add_integer(app, "--layer", chart.layer, 1, optics::most_layers,
+                    "The layer whose thickness changes, counted from 1; its thickness in STACK is not used"),
+        films);
+  add_range("--thickness", chart.thickness_nm,
+            "Thickness of the film, or of the mineral, with units: 0:2000nm, 0:2um:5nm [newton 0:2000nm, angle "
+            "0:1500nm, michel-levy 0:50um]");
+  const auto read_angles = [&chart](const std::string& text) {
+    constexpr Range allowed{.low = 0, .high = 90};
+    if (text.find(':') != std::string::npos) {
+      chart.angles_deg.range = range_in("--angle", text, angle_units, allowed, most_angles);
+    } else {
+      chart.angles_deg.list = numbers_in("--angle", {text}, allowed, "degrees", most_angles);
+    }
+  };
+  limit(app.add_option_function<std::string>("--angle", read_angles,
+                                             "Angles of incidence in degrees: for newton a list such as 0,30,60 [0], "
+                                             "for angle a range such as 0:80 [0:90]")
+            ->type_name("LIST|A:B[:STEP]"),
+        films);
+  std::vector<std::string_view> sides;
+  for (const ChartSide& side : chart_sides()) sides.push_back(side.name);
+  limit(add_optional_name(app, "--side", chart.side_index, sides,
+                          fmt::format("Side of the film: {} [newton both, angle reflected]", fmt::join(sides, ", "))),
+        films);
+  limit(app.add_flag("--curves", chart.curves,
+                     "newton: also curves of Y and linear sRGB; angle: also lines of equal path difference"),
+        films);
+  limit(
+      add_choice(app, "--interference", chart.interference_index, optics::interference_models, "Model of interference"),
+      films);
+  limit(add_range("--retardation", chart.retardation_nm, "Retardation, nm [0:2500nm]"), levy);
+  limit(add_numbers(app, "--birefringence", chart.birefringences, {.low = 0, .high = 10, .low_open = true}, "",
+                    most_birefringences, "The lines of the fan, such as 0.009,0.036 [0.001 to 0.3]"),
+        levy);
+}
+
+void declare_light(CLI::App& app, ChartCommand& command) {
+  ChartOptions& chart = command.chart;
+  add_lamp(app, command.lamp);
+  add_choice(app, "--observer", chart.observer_index, color::observers(), "Standard observer");
+  chart.gamut_index = color::gamut_mappings().size() - 1;
+  for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
+    if (color::gamut_mappings()[i].mapping == color::default_gamut_mapping) chart.gamut_index = i;
+  add_choice(app, "--gamut", chart.gamut_index, color::gamut_mappings(), "What is shown for colours beyond sRGB");
+  std::vector<std::string_view> methods = {"none"};
+  for (const color::AdaptationEntry& entry : color::adaptations()) methods.push_back(entry.name);
+  const auto read_adaptation = [&chart, methods](const std::string& text) {
+    chart.adaptation = color::find_adaptation(text);
+    if (!chart.adaptation && !same_name(text, "none"))
+      usage_error("--adaptation", unknown_name("value", text, methods));
+  };
+  app.add_option_function<std::string>(
+         "--adaptation", read_adaptation,
+         fmt::format("Adaptation of the drawing to the lamp, so that it looks white: {} [none]",
+                     fmt::join(methods, ", ")))
+      ->type_name("NAME");
+  const auto read_exposure = [&chart](const std::string& text) {
+    if (same_name(text, "each")) {
+      chart.exposure = ChartExposure::each;
+    } else if (same_name(text, "one")) {
+      chart.exposure = ChartExposure::one;
+    } else if (parse_number(text)) {
+      chart.exposure = ChartExposure::stops;
+      chart.exposure_ev = number_in("--exposure", text, {.low = -most_exposure_ev, .high = most_exposure_ev});
+    } else {
+      usage_error("--exposure", fmt::format("expected each, one or a number of stops, got '{}'", printable(text, 60)));
+    }
+  };
+  app.add_option_function<std::string>("--exposure", read_exposure,
+                                       "Brightness of the drawing: each (the brightest colour of every angle gets "
+                                       "Y = 1), one (the same factor for all angles) or stops, 0 for no change [each]")
+      ->type_name("each|one|EV");
+}
+
+void declare_output(CLI::App& app, ChartCommand& command) {
+  add_texts(app, "-o,--output", command.outputs, "FILE",
+            "Chart to write, .png, .svg or .csv; may be repeated [KIND.png]");
+  std::vector<std::string_view> names;
+  for (const ChartFileKind& kind : chart_file_kinds()) names.push_back(kind.name);
+  add_optional_name(app, "--format", command.print, names,
+                    fmt::format("Print the chart instead of writing a file: {}", fmt::join(names, ", ")));
+  add_number(app, "--dpi", command.dpi, {.low = least_dpi, .high = most_dpi}, "",
+             "Pixels of a PNG to an inch; charts are 10.4 inches wide [240]");
+  add_integer(app, "--width", command.width_px, least_width_px, most_width_px,
+              "Pixels of a PNG from left to right [2500]");
+}
+
+constexpr const char* help_text = R"(
+Kinds:
+  newton       colour over the thickness of a film, reflected and transmitted
+  angle        colour over thickness and angle
+  michel-levy  colours of birefringent minerals between crossed polarisers
+
+Light is unpolarised and a film by itself reflects little of it: charts are brightened, by the factors that they tell;
+the numbers of a .csv are not. Colours are drawn in sRGB.
+
+Examples:
+  shabon chart newton
+  shabon chart newton --angle 0,30,60 --side reflected -o newton.svg
+  shabon chart newton 'air | TiO2 0nm | Ti' --thickness 0:300nm --curves -o titanium.png -o titanium.csv
+  shabon chart newton 'air | MgF2 100nm | ZnS 0nm | glass' --layer 2 --illuminant A
+  shabon chart angle 'air | 1.5 0nm | water' --thickness 0:1um --dpi 300
+  shabon chart michel-levy -o michel-levy.png)";
+
+}  // namespace
+
+std::vector<ChartSide> chart_sides() {
+  using enum desk::Side;
+  return {{"both", {reflected, transmitted}}, {"reflected", {reflected}}, {"transmitted", {transmitted}}};
+}
+
+std::string_view name_of(desk::Side side) { return side == desk::Side::reflected ? "reflected" : "transmitted"; }
+
+Action declare_chart(CLI::App& app) {
+  const auto command = std::make_shared<ChartCommand>();
+  add_choice(app, "KIND", command->kind, chart_kinds, "What to draw")->type_name("")->required();
+  declare_content(app, *command);
+  declare_light(app, *command);
+  declare_output(app, *command);
+  app.footer(std::string(stack_help) + help_text);
+  return [command] { return run_chart(*command); };
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,102 @@
+#include "chart_swept.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+
+#include "shabon/base/text.h"
+#include "shabon/desk/retardation.h"
+#include "shabon/desk/sweep.h"
+#include "stack_input.h"
+
+namespace shabon::app {
+
+namespace {
+
+constexpr const char* default_stack = "air | water 0nm | air";
+constexpr std::size_t most_orders = 1000;
+
+std::string ordinal(std::size_t number) {
+  const std::size_t tens = number % 100, ones = number % 10;
+  const bool teen = tens >= 11 && tens <= 13;
+  return std::to_string(number) + (teen ? "th" : ones == 1 ? "st" : ones == 2 ? "nd" : ones == 3 ? "rd" : "th");
+}
+
+}  // namespace
+
+Result<SweptFilm> read_swept_film(const ChartOptions& options) {
+  SweptFilm film;
+  film.expression = options.expression.value_or(default_stack);
+  Result<optics::Stack> stack = read_stack({film.expression, options.interference_index});
+  if (!stack) return stack.errors();
+  film.stack = std::move(*stack);
+  const std::size_t layers = film.stack.layers.size();
+  if (layers == 0) return fail(Failure::usage, "STACK: expected a layer whose thickness can change, got none");
+  if (layers > 1 && !options.layer)
+    return fail(Failure::usage, fmt::format("--layer: expected which of the {} layers changes, from 1 to {}; got none",
+                                            layers, layers));
+  const long long chosen = options.layer.value_or(1);
+  if (chosen > static_cast<long long>(layers))
+    return fail(Failure::usage, fmt::format("--layer: expected a whole number from 1 to {}, got '{}'", layers, chosen));
+  film.layer = static_cast<std::size_t>(chosen - 1);
+  return film;
+}
+
+Diagnostics film_warnings(const SweptFilm& film) {
+  return desk::range_warnings(film.stack, std::vector<double>{color::first_nm, color::last_nm});
+}
+
+Result<std::vector<color::Xyz>> film_colors(const SweptFilm& film, const ChartOptions& options,
+                                            const std::vector<double>& thicknesses_nm, double incidence_deg,
+                                            desk::Side side) {
+  desk::Sweep sweep;
+  sweep.stack = film.stack;
+  sweep.layer = film.layer;
+  sweep.thicknesses_nm = thicknesses_nm;
+  sweep.incidence = optics::incidence_from(Degrees(incidence_deg));
+  sweep.side = side;
+  sweep.interference = options.interference();
+  return desk::swept_colors(sweep, options.lamp, options.observer());
+}
+
+double order_thickness_nm(const SweptFilm& film, double incidence_deg) {
+  const optics::Incidence incidence = optics::incidence_from(Degrees(incidence_deg));
+  const std::complex<double> n1 = film.stack.incidence.index(desk::order_retardation_nm);
+  const std::complex<double> n2 = film.stack.layers[film.layer].medium.index(desk::order_retardation_nm);
+  const std::complex<double> n2_cos = std::sqrt(n2 * n2 - n1 * n1 * incidence.sin_i * incidence.sin_i);
+  return desk::order_retardation_nm / (2 * std::abs(n2_cos.real()));
+}
+
+std::vector<io::ChartSpan> order_spans(double order_length, double low, double high) {
+  std::vector<io::ChartSpan> spans;
+  if (!(order_length > 0) || !std::isfinite(high / order_length)) return spans;
+  const double first = std::floor(low / order_length);
+  if (high / order_length - first > static_cast<double>(most_orders)) return spans;
+  for (std::size_t i = 0; order_length * (first + static_cast<double>(i)) < high; ++i) {
+    const double order = first + static_cast<double>(i);
+    spans.push_back(
+        {order * order_length, (order + 1) * order_length, ordinal(static_cast<std::size_t>(order) + 1) + " order"});
+  }
+  return spans;
+}
+
+std::string thickness_label(const SweptFilm& film) {
+  const std::string medium = printable(film.stack.layers[film.layer].medium.name(), 40);
+  const std::string which = film.stack.layers.size() > 1 ? fmt::format("layer {}, {}", film.layer + 1, medium) : medium;
+  return fmt::format("thickness d of the film: {} (nm)", which);
+}
+
+std::string title_text(const SweptFilm& film) {
+  constexpr std::size_t most_layers = 6, most_letters = 80;
+  if (film.stack.layers.size() > most_layers) return printable(film.expression, most_letters);
+  std::string text = film.stack.incidence.name();
+  for (std::size_t i = 0; i < film.stack.layers.size(); ++i) {
+    const optics::Layer& layer = film.stack.layers[i];
+    text += " | " + layer.medium.name() + (i == film.layer ? " d" : " " + format_number(layer.thickness_nm, 6) + " nm");
+    if (!layer.coherent) text += " incoherent";
+  }
+  return printable(text + " | " + film.stack.exit.name(), most_letters);
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,44 @@
+// A stack with one layer of many thicknesses, as the charts newton and angle show it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chart.h"
+#include "shabon/color/xyz.h"
+#include "shabon/optics/incidence.h"
+#include "shabon/optics/stack.h"
+
+namespace shabon::app {
+
+struct SweptFilm {
+  std::string expression;
+  optics::Stack stack;
+  std::size_t layer = 0;  // index into stack.layers
+};
+
+// Errors: those of the expression; Failure::usage when it is not clear which layer is meant.
+Result<SweptFilm> read_swept_film(const ChartOptions& options);
+
+// What to say about media that are asked beyond their source.
+Diagnostics film_warnings(const SweptFilm& film);
+
+// The colours at these thicknesses, nm.
+Result<std::vector<color::Xyz>> film_colors(const SweptFilm& film, const ChartOptions& options,
+                                            const std::vector<double>& thicknesses_nm, double incidence_deg,
+                                            desk::Side side);
+
+// The thickness over which the path difference of neighbouring beams, 2 Re(n cos) times the thickness, grows by one
+// order; n is that of the swept layer at order_retardation_nm. Infinite where the layer is beyond total reflection.
+double order_thickness_nm(const SweptFilm& film, double incidence_deg);
+
+// The orders that lie within the range of thickness.
+std::vector<io::ChartSpan> order_spans(double order_length, double low, double high);
+
+// "thickness d of the film: water (nm)", and for stacks of several layers which one it is.
+std::string thickness_label(const SweptFilm& film);
+
+// "air | water d | air"; a stack of many layers as it was written.
+std::string title_text(const SweptFilm& film);
+
+}  // namespace shabon::app
