@@ -41,7 +41,8 @@ std::string_view ExpressionReader::take_number() {
   };
   if (at('+') || at('-')) advance();
   bool digits = take_digits();
-  if (at('.')) {
+  const bool is_range = text_.substr(offset_).starts_with("..");
+  if (at('.') && !is_range) {
     advance();
     digits = take_digits() || digits;
   }

@@ -33,7 +33,8 @@ class ExpressionReader {
 
   std::string_view from(std::size_t begin) const { return text_.substr(begin, offset_ - begin); }
 
-  // The text of a decimal number with optional sign, point and exponent; empty when there is none.
+  // The text of a decimal number with optional sign, point and exponent; empty when there is none. The points of a
+  // range, 1..2, belong to no number.
   std::string_view take_number();
   std::string_view take_letters();
   std::string_view take_until_delimiter();

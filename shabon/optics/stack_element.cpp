@@ -14,10 +14,7 @@ namespace {
 
 constexpr std::string_view index_form = "an index of magnitude 0.0001..10000";
 
-struct Unit {
-  std::string_view name;
-  double nm;
-};
+using Unit = StackElementParser::Unit;
 constexpr std::array<Unit, 6> units = {{
     {"nm", 1}, {"um", 1e3}, {"\u00B5m", 1e3}, {"\u03BCm", 1e3}, {"mm", 1e6}, {"cm", 1e7},  // micro sign, Greek mu
 }};
@@ -45,9 +42,9 @@ StackElement StackElementParser::parse() {
   };
   if (!element.medium && !reader_.at_delimiter()) return broken();
   reader_.skip_space();
-  if (reader_.at_number()) {
+  if (at_thickness()) {
     element.thickness_begin = reader_.offset();
-    if (!parse_thickness(element.thickness_nm)) return broken();
+    if (!parse_thickness(element)) return broken();
     reader_.skip_space();
     const std::size_t word_begin = reader_.offset();
     if (reader_.at_letter()) {
@@ -227,23 +224,72 @@ std::optional<Medium> StackElementParser::resolve(std::string_view name, bool is
   return entry->second;
 }
 
-bool StackElementParser::parse_thickness(double& thickness_nm) {
+bool StackElementParser::at_thickness() const { return reader_.at_number() || (unknowns_allowed_ && reader_.at('?')); }
+
+// 300nm; where they are allowed also ? and 100..900nm.
+bool StackElementParser::parse_thickness(StackElement& element) {
   const std::size_t begin = reader_.offset();
+  if (reader_.at('?')) {
+    reader_.advance();
+    element.unknown = UnknownThickness{begin, {}, {}};
+    return true;
+  }
   const std::string_view digits = reader_.take_number();
   const auto value = digits.empty() ? std::nullopt : parse_number(digits);
   if (!value) {
     reader_.expected(digits.empty() ? text_of(thickness_form) : "a finite thickness", begin);
     return false;
   }
+  const std::size_t digits_end = reader_.offset();
   reader_.skip_space();
-  const std::size_t unit_begin = reader_.offset();
-  const Unit* unit = find_unit(reader_.take_letters());
-  if (!unit) {
-    reader_.expected("a unit of length (" + text_of(unit_names) + ") after " + text_of(digits), unit_begin);
+  if (unknowns_allowed_ && reader_.at('.')) return parse_range(element, *value, begin);
+  reader_.go_to(digits_end);
+  const Unit* unit = parse_unit(digits);
+  if (!unit) return false;
+  element.thickness_nm = *value * unit->nm + 0.0;  // no negative zero
+  return check_thickness(element.thickness_nm, begin);
+}
+
+// What follows the first number of 100..900nm; both have the unit of the second.
+bool StackElementParser::parse_range(StackElement& element, double low, std::size_t begin) {
+  const std::size_t points = reader_.offset();
+  reader_.advance();
+  if (!reader_.at('.')) {
+    reader_.expected("a range such as 100..900nm", points);
     return false;
   }
-  thickness_nm = *value * unit->nm;
-  if (*value < 0) {
+  reader_.advance();
+  reader_.skip_space();
+  const std::size_t high_begin = reader_.offset();
+  const std::string_view digits = reader_.take_number();
+  const auto high = digits.empty() ? std::nullopt : parse_number(digits);
+  if (!high) {
+    reader_.expected("the upper end of a range such as 100..900nm", high_begin);
+    return false;
+  }
+  const Unit* unit = parse_unit(digits);
+  if (!unit) return false;
+  const ThicknessRange range{low * unit->nm + 0.0, *high * unit->nm + 0.0};
+  if (!check_thickness(range.low_nm, begin) || !check_thickness(range.high_nm, high_begin)) return false;
+  if (!(range.low_nm < range.high_nm)) {
+    reader_.problem(high_begin, "expected a range that rises, such as 100..900nm");
+    return false;
+  }
+  element.unknown = UnknownThickness{begin, range, {}};
+  return true;
+}
+
+// The unit after a number, or nothing after a problem.
+const StackElementParser::Unit* StackElementParser::parse_unit(std::string_view digits) {
+  reader_.skip_space();
+  const std::size_t begin = reader_.offset();
+  const Unit* unit = find_unit(reader_.take_letters());
+  if (!unit) reader_.expected("a unit of length (" + text_of(unit_names) + ") after " + text_of(digits), begin);
+  return unit;
+}
+
+bool StackElementParser::check_thickness(double thickness_nm, std::size_t begin) {
+  if (thickness_nm < 0) {
     reader_.expected("a thickness >= 0", begin);
     return false;
   }
@@ -251,7 +297,6 @@ bool StackElementParser::parse_thickness(double& thickness_nm) {
     reader_.expected("a thickness of at most 1 m (" + format_number(largest_thickness_nm, 6) + " nm)", begin);
     return false;
   }
-  thickness_nm += 0.0;  // no negative zero
   return true;
 }
 

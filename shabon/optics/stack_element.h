@@ -25,14 +25,21 @@ struct StackElement {
   std::size_t medium_end = 0;
   std::optional<std::size_t> thickness_begin;  // nothing when there is no thickness
   double thickness_nm = 0;
+  std::optional<UnknownThickness> unknown;  // with a thickness_nm of 0
   bool coherent = true;
   bool broken = false;  // its problems are kept by the reader
 };
 
 class StackElementParser {
  public:
+  struct Unit {
+    std::string_view name;
+    double nm;
+  };
+
   // Both outlive the parser.
-  StackElementParser(ExpressionReader& reader, const MediumResolver& resolver) : reader_(reader), resolver_(resolver) {}
+  StackElementParser(ExpressionReader& reader, const MediumResolver& resolver, bool unknowns_allowed = false)
+      : reader_(reader), resolver_(resolver), unknowns_allowed_(unknowns_allowed) {}
 
   // From the reader's offset; leaves it before the |, ( or ) that follows, or at the end.
   StackElement parse();
@@ -53,10 +60,15 @@ class StackElementParser {
   std::optional<Medium> mixed(std::size_t begin, std::vector<MixturePart> parts,
                               std::optional<std::size_t> without_share);
   std::optional<Medium> resolve(std::string_view name, bool is_file, std::size_t offset);
-  bool parse_thickness(double& thickness_nm);
+  bool at_thickness() const;
+  bool parse_thickness(StackElement& element);
+  const Unit* parse_unit(std::string_view digits);
+  bool parse_range(StackElement& element, double low, std::size_t begin);
+  bool check_thickness(double thickness_nm, std::size_t begin);
 
   ExpressionReader& reader_;
   const MediumResolver& resolver_;
+  const bool unknowns_allowed_;
   std::map<std::pair<bool, std::string>, std::optional<Medium>> resolved_;  // each name once
 };
 

@@ -1,7 +1,9 @@
 #include "shabon/optics/stack_expression.h"
 
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shabon/base/text.h"
@@ -21,9 +23,10 @@ constexpr std::string_view count_form = "'^' and a count 1..1000 after ')'";
 // Elements, bars and groups. Groups lie on a stack of their own, so that no input makes the parser recurse.
 class StackParser {
  public:
-  StackParser(std::string_view text, const MediumResolver& resolver) : reader_(text), elements_(reader_, resolver) {}
+  StackParser(std::string_view text, const MediumResolver& resolver, bool unknowns_allowed)
+      : reader_(text), elements_(reader_, resolver, unknowns_allowed) {}
 
-  Result<Stack> parse();
+  Result<StackWithUnknowns> parse();
 
  private:
   struct OpenGroup {
@@ -38,14 +41,19 @@ class StackParser {
   int parse_count();
   void repeat(std::size_t first_layer, int count, std::size_t offset);
   void add(StackElement element);
+  void add(Layer layer, std::size_t unknown);
   void add_layer(const StackElement& element);
   bool room_for(std::size_t layers, std::size_t offset);
   void set_outer(const StackElement& element, Medium& medium, const char* which);
   void finish();
 
+  static constexpr std::size_t known = std::numeric_limits<std::size_t>::max();
+
   ExpressionReader reader_;
   StackElementParser elements_;
   Stack stack_;
+  std::vector<UnknownThickness> unknowns_;
+  std::vector<std::size_t> unknown_of_layer_;  // index into unknowns_ or `known`, for each layer
   std::vector<OpenGroup> groups_;
   std::optional<StackElement> last_;  // the last element outside groups: a layer, or the exit medium if none follows
   bool has_incidence_ = false;
@@ -57,13 +65,15 @@ class StackParser {
   bool lacks_incidence_ = false;
 };
 
-Result<Stack> StackParser::parse() {
+Result<StackWithUnknowns> StackParser::parse() {
   do {
     parse_operand();
   } while (!reader_.stopped() && parse_after_operand());
   if (!reader_.stopped()) finish();
   if (reader_.has_problems()) return reader_.take_problems();
-  return std::move(stack_);
+  for (std::size_t i = 0; i < unknown_of_layer_.size(); ++i)
+    if (unknown_of_layer_[i] != known) unknowns_[unknown_of_layer_[i]].layers.push_back(i);
+  return StackWithUnknowns{std::move(stack_), std::move(unknowns_)};
 }
 
 // An element, with the groups that open before it.
@@ -158,7 +168,7 @@ void StackParser::repeat(std::size_t first_layer, int count, std::size_t offset)
   if (!room_for(period * static_cast<std::size_t>(count - 1), offset)) return;
   stack_.layers.reserve(first_layer + period * static_cast<std::size_t>(count));
   for (std::size_t i = period; i < period * static_cast<std::size_t>(count); ++i)
-    stack_.layers.push_back(stack_.layers[first_layer + i - period]);
+    add(stack_.layers[first_layer + i - period], unknown_of_layer_[first_layer + i - period]);
 }
 
 void StackParser::add(StackElement element) {
@@ -182,7 +192,14 @@ void StackParser::add_layer(const StackElement& element) {
     reader_.stop();
     return;
   }
-  stack_.layers.push_back({element.medium.value_or(Medium()), element.thickness_nm, element.coherent});
+  if (element.unknown) unknowns_.push_back(*element.unknown);
+  add(Layer{element.medium.value_or(Medium()), element.thickness_nm, element.coherent},
+      element.unknown ? unknowns_.size() - 1 : known);
+}
+
+void StackParser::add(Layer layer, std::size_t unknown) {
+  stack_.layers.push_back(std::move(layer));
+  unknown_of_layer_.push_back(unknown);
 }
 
 bool StackParser::room_for(std::size_t layers, std::size_t offset) {
@@ -217,6 +234,18 @@ void StackParser::finish() {
     reader_.expected("'|' and a last medium without thickness after the group", reader_.offset());
 }
 
+Result<StackWithUnknowns> parse(std::string_view text, const MediumResolver& resolver, bool unknowns_allowed) {
+  if (text.size() > most_bytes)
+    return fail(Failure::content, "stack expression: expected at most " + std::to_string(most_bytes) + " bytes, got " +
+                                      std::to_string(text.size()));
+  if (trim(text).empty()) {
+    ExpressionReader reader(text);
+    reader.expected("a stack such as 'air | water 300nm | air'", 0);
+    return reader.take_problems();
+  }
+  return StackParser(text, resolver, unknowns_allowed).parse();
+}
+
 }  // namespace
 
 Result<Medium> resolve_from_library(std::string_view name_or_file, bool is_file) {
@@ -240,16 +269,14 @@ Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolve
   return problems;
 }
 
+Result<StackWithUnknowns> parse_stack_with_unknowns(std::string_view text, const MediumResolver& resolver) {
+  return parse(text, resolver, true);
+}
+
 Result<Stack> parse_stack(std::string_view text, const MediumResolver& resolver) {
-  if (text.size() > most_bytes)
-    return fail(Failure::content, "stack expression: expected at most " + std::to_string(most_bytes) + " bytes, got " +
-                                      std::to_string(text.size()));
-  if (trim(text).empty()) {
-    ExpressionReader reader(text);
-    reader.expected("a stack such as 'air | water 300nm | air'", 0);
-    return reader.take_problems();
-  }
-  return StackParser(text, resolver).parse();
+  Result<StackWithUnknowns> parsed = parse(text, resolver, false);
+  if (!parsed) return parsed.errors();
+  return std::move(parsed->stack);
 }
 
 }  // namespace shabon::optics

@@ -13,8 +13,11 @@
 // gets the rest. A mixture has at most 16 parts, no mixtures among them, and follows Lorentz and Lorenz (mixing.h).
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "shabon/base/result.h"
 #include "shabon/optics/stack.h"
@@ -35,5 +38,29 @@ Result<Medium> parse_medium(std::string_view text, const MediumResolver& resolve
 // The whole text as a stack. Errors: everything that is wrong, in order, up to a bound, each with source "<stack>",
 // line 1, the column in characters and the text; a text longer than 1 MiB is refused unread.
 Result<Stack> parse_stack(std::string_view text, const MediumResolver& resolver = resolve_from_library);
+
+// A layer whose thickness is asked for: `water ?`, or within a range, `water 100..900nm`. In a repeated group it stands
+// for all copies of that layer, which have one thickness.
+struct ThicknessRange {
+  double low_nm = 0, high_nm = 0;  // 0 <= low < high <= largest_thickness_nm
+  friend bool operator==(const ThicknessRange&, const ThicknessRange&) = default;
+};
+
+struct UnknownThickness {
+  std::size_t offset = 0;  // of the `?` or the range, in bytes of the text
+  std::optional<ThicknessRange> range;
+  std::vector<std::size_t> layers = {};  // indices into stack.layers, rising, at least one
+};
+
+struct StackWithUnknowns {
+  Stack stack;                             // the unknown layers have the thickness 0
+  std::vector<UnknownThickness> unknowns;  // in the order of the text
+};
+
+// parse_stack() for a text in which a thickness may also be `?` or a range:
+//
+//   thickness = number unit | "?" | number ".." number unit
+Result<StackWithUnknowns> parse_stack_with_unknowns(std::string_view text,
+                                                    const MediumResolver& resolver = resolve_from_library);
 
 }  // namespace shabon::optics
