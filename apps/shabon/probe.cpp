@@ -21,6 +21,8 @@ namespace shabon::app {
 
 namespace {
 
+constexpr double least_told_cut = 1e-6;  // share of the light
+
 struct ProbeCommand {
   SceneInput scene;
   std::vector<double> pixel, ray;
@@ -99,6 +101,15 @@ ProbedSpectrum shown(const ProbeCommand& command, std::vector<double> radiance) 
   return probed;
 }
 
+// One line when the tree was cut so early that it can be seen in the numbers.
+void tell_cut(const render::ProbeResult& result) {
+  if (!(result.cut_carried > least_told_cut)) return;
+  say(fmt::format(
+      "note: not every reflection was followed: branches that carry less than {} of the light were cut, and up "
+      "to {} of the light passed straight on where it should have been reflected",
+      format_number(result.least_carried), format_number(result.cut_carried, 2)));
+}
+
 int run_probe(const ProbeCommand& command) {
   if (command.pixel.empty() && command.ray.empty())
     return report(fail(Failure::usage, "expected --pixel X Y or --ray OX OY OZ DX DY DZ"));
@@ -109,6 +120,7 @@ int run_probe(const ProbeCommand& command) {
 
   const Result<render::ProbeResult> result = render::probe(loaded->scene, *ray, traced_wavelengths_nm(command));
   if (!result) return report(result.errors());
+  tell_cut(*result);
   return print_result(formats[command.format].write(shown(command, result->radiance)));
 }
 

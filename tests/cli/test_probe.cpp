@@ -1,6 +1,7 @@
 // probe: the spectrum along one ray.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "child.h"
@@ -27,6 +28,14 @@ environment: {gradient: {up: {illuminant: D65, scale: 1}, down: {illuminant: A, 
 objects:
   - bubble: {film: {medium: water, thickness: {linear: {top_nm: 150, bottom_nm: 900}}}}
 )";
+
+// Bubbles of these radii inside the one of the scene.
+std::string nested(const Names& radii) {
+  std::string text;
+  for (const std::string& radius : radii)
+    text += "  - bubble: {radius: " + radius + ", film: {medium: water, thickness: {constant_nm: 400}}}\n";
+  return text;
+}
 
 class Probe : public testing::Test {
  protected:
@@ -93,16 +102,26 @@ TEST_F(Probe, JsonHasExactlyTheKeysOfTheContract) {
 
 // A spectrum without a colour needs no more than the wavelengths asked for; the colour needs 471 more.
 TEST_F(Probe, FollowsOnlyTheWavelengthsAskedFor) {
-  folder.write("bubbles.yaml",
-               lamp_scene + "  - bubble: {radius: 0.8, film: {medium: water, thickness: {constant_nm: 400}}}\n");
+  folder.write("nested.yaml", lamp_scene + nested({"0.8", "0.7"}));
   const auto seconds = [&](const std::string& format) {
-    const Outcome outcome = probe({"bubbles.yaml", "--pixel", "12", "6", "--wavelengths", "500", "--format", format});
+    const Outcome outcome = probe({"nested.yaml", "--pixel", "12", "6", "--wavelengths", "500", "--format", format});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.processor_seconds;
   };
   const double with_color = seconds("json");
   ASSERT_GT(with_color, 0.05) << "too short to compare";
   EXPECT_LT(seconds("csv"), with_color / 3);
+}
+
+// Nested bubbles hand light to and fro for ever more branches; a plain bubble does not, and nothing is said.
+TEST_F(Probe, SaysWhenTheTreeWasCut) {
+  folder.write("nested.yaml", lamp_scene + nested({"0.9", "0.8", "0.7", "0.6"}));
+  const Outcome outcome = probe({"nested.yaml", "--pixel", "12", "6", "--wavelengths", "500"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err.find("note: not every reflection was followed: branches that carry less than 1e-"), 0u)
+      << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(result_of({"lamps.yaml", "--pixel", "12", "6", "--wavelengths", "500"}).find("wavelength_nm"), 0u);
 }
 
 TEST_F(Probe, SumsTheWholeRangeForXyz) {
