@@ -31,7 +31,7 @@ struct SomeKinds {
 };
 
 struct ChartCommand {
-  std::size_t kind = 0;
+  std::optional<std::size_t> kind;  // of chart_kinds; there after the parse
   ChartOptions chart;
   std::string lamp = "D65";
   std::vector<std::string> outputs;
@@ -53,18 +53,18 @@ std::vector<std::filesystem::path> input_files(const ChartCommand& command) {
   return files;
 }
 
-Status check_usage(const ChartCommand& command) {
-  const std::string_view kind = chart_kinds[command.kind].name;
+// Called while the options still exist, at the end of the parse.
+void check_usage(const ChartCommand& command) {
+  const std::string_view kind = chart_kinds[*command.kind].name;
   for (const SomeKinds& limited : command.limited) {
     const bool known = std::find(limited.kinds.begin(), limited.kinds.end(), kind) != limited.kinds.end();
     if (!known && limited.option->count() > 0)
-      return fail(Failure::usage, fmt::format("{}: expected with {} only, got it with {}", limited.option->get_name(),
-                                              fmt::join(limited.kinds, " and "), kind));
+      usage_error(limited.option->get_name(),
+                  fmt::format("expected with {} only, got it with {}", fmt::join(limited.kinds, " and "), kind));
   }
   if (command.print && !command.outputs.empty())
-    return fail(Failure::usage, "--format: expected without --output, whose ending tells the format");
-  if (command.dpi && command.width_px) return fail(Failure::usage, "--width: expected without --dpi, got both");
-  return Done{};
+    usage_error("--format", "expected without --output, whose ending tells the format");
+  if (command.dpi && command.width_px) usage_error("--width", "expected without --dpi, got both");
 }
 
 ChartPixels pixels_of(const ChartCommand& command) {
@@ -88,8 +88,7 @@ int write_all(const std::vector<ChartFile>& files, const MadeChart& chart, Chart
 }
 
 int run_chart(ChartCommand& command) {
-  const ChartKind& kind = chart_kinds[command.kind];
-  if (const Status usage = check_usage(command); !usage) return report(usage.errors());
+  const ChartKind& kind = chart_kinds[*command.kind];
   std::vector<std::string> names = command.outputs;
   if (names.empty() && !command.print) names.push_back(std::string(kind.name) + ".png");
   const Result<std::vector<ChartFile>> files = chart_files(names);
@@ -174,9 +173,9 @@ void declare_light(CLI::App& app, ChartCommand& command) {
   ChartOptions& chart = command.chart;
   add_lamp(app, command.lamp);
   add_choice(app, "--observer", chart.observer_index, color::observers(), "Standard observer");
-  chart.gamut_index = color::gamut_mappings().size() - 1;
+  // Neighbouring colours lie side by side here: what is near the boundary gives way too, so that no edges are seen.
   for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
-    if (color::gamut_mappings()[i].mapping == color::default_gamut_mapping) chart.gamut_index = i;
+    if (color::gamut_mappings()[i].mapping == color::GamutMapping::gentle) chart.gamut_index = i;
   add_choice(app, "--gamut", chart.gamut_index, color::gamut_mappings(), "What is shown for colours beyond sRGB");
   std::vector<std::string_view> methods = {"none"};
   for (const color::AdaptationEntry& entry : color::adaptations()) methods.push_back(entry.name);
@@ -249,11 +248,16 @@ std::string_view name_of(desk::Side side) { return side == desk::Side::reflected
 
 Action declare_chart(CLI::App& app) {
   const auto command = std::make_shared<ChartCommand>();
-  add_choice(app, "KIND", command->kind, chart_kinds, "What to draw")->type_name("")->required();
+  std::vector<std::string_view> kinds;
+  for (const ChartKind& kind : chart_kinds) kinds.push_back(kind.name);
+  add_optional_name(app, "KIND", command->kind, kinds, fmt::format("What to draw: {}", fmt::join(kinds, ", ")))
+      ->type_name("")
+      ->required();
   declare_content(app, *command);
   declare_light(app, *command);
   declare_output(app, *command);
   app.footer(std::string(stack_help) + help_text);
+  app.callback([command] { check_usage(*command); });
   return [command] { return run_chart(*command); };
 }
 

@@ -62,7 +62,8 @@ io::Rgb8 shown_bytes(color::Xyz colour, double factor, const Display& display) {
 }
 
 std::string factor_text(double factor) {
-  if (std::abs(factor - 1) < 0.005) return {};
+  constexpr double noticeable = 0.02;
+  if (std::abs(factor - 1) < noticeable) return {};
   return "\u00D7 " + format_number(factor, factor < 1 ? 2 : 3);
 }
 
