@@ -11,6 +11,7 @@
 #include "shabon/desk/thickness_check.h"
 #include "shabon/desk/thickness_fit.h"
 #include "shabon/desk/thickness_grid.h"
+#include "shabon/desk/thickness_scan.h"
 
 namespace shabon::desk {
 
@@ -23,7 +24,6 @@ constexpr double longest_step_fringes = 0.25;
 constexpr double rounding_noise = 1e-10;      // what the model itself is good for
 constexpr double same_thickness_nm = 1e-3;    // two fits within it are one,
 constexpr double same_squared_errors = 1e-2;  // or within a tenth of the standard error
-constexpr double credible = 0.95;
 // Residuals larger than the noise by five of their own standard deviations are not noise.
 constexpr double noise_deviations = 5;
 
@@ -220,11 +220,8 @@ void weigh(const std::vector<Fit>& fits, const Problem& problem, double variance
     answer.candidates.push_back(candidate_of(fits[i], problem, variance));
     answer.candidates.back().weight = logarithms[i] / sum;
   }
-  std::stable_sort(answer.candidates.begin(), answer.candidates.end(),
-                   [](const SpectrumCandidate& a, const SpectrumCandidate& b) { return a.weight > b.weight; });
-  double held = 0;
-  while (answer.in_95_percent < answer.candidates.size() && held < credible)
-    held += answer.candidates[answer.in_95_percent++].weight;
+  for (double& value : logarithms) value /= sum;
+  answer.in_95_percent = count_credible(logarithms);
 }
 
 double fringes_between_rows(const Problem& problem) {

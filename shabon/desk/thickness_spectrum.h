@@ -39,8 +39,8 @@ struct SpectrumCandidate {
 };
 
 struct SpectrumAnswer {
-  std::vector<SpectrumCandidate> candidates;  // every distinct minimum, the likeliest first; at least one
-  std::size_t in_95_percent = 0;              // how many of the first hold 95 % of the weight
+  std::vector<SpectrumCandidate> candidates;  // every distinct minimum, the smallest rms first; at least one
+  std::size_t in_95_percent = 0;              // how many it takes to hold 95 % of the weight
   double noise = 0;                           // standard deviation that the errors and weights assume
   bool noise_exceeded = false;                // the residuals are larger than the stated noise, and replaced it
   double widening = 1;                        // of the errors, as neighbouring residuals are alike
