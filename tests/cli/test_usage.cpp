@@ -65,7 +65,6 @@ const std::vector<Case> usage_errors = {
     {{"color", film, "extra"}, 2, "unexpected argument 'extra'"},
     {{"color", film, "--format", "csv"}, 2, "unknown value 'csv'"},
     {{"media", "--format", "svg"}, 2, "unknown value 'svg'"},
-    {{"lamps", "extra"}, 2, "unexpected argument 'extra'"},
     {{"probe", "--pixel"}, 2, "--pixel: expected X Y after it, got nothing"},
     {{"probe", "--pixel", "1"}, 2, "--pixel: expected X Y, got only '1'"},
     {{"probe", "--pixel", "1", "2", "--pixel", "3"}, 2, "--pixel: expected X Y once, got '1', '2' and '3'"},
