@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "media_table.h"
@@ -30,6 +32,23 @@ io::ChartSeries line(const optics::Medium& medium, const std::vector<double>& wa
   }
   series.dashed = !covered;
   return series;
+}
+
+// Small values are drawn in a power of ten that the label tells: "extinction k (in 10⁻⁶)".
+void rescale(io::ChartPlot& plot) {
+  constexpr double smallest_plain = 0.01;
+  constexpr std::array<const char*, 10> digits = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+                                                  "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  double largest = 0;
+  for (const io::ChartSeries& series : plot.series)
+    for (const double y : series.y) largest = std::isnan(y) ? largest : std::max(largest, y);
+  if (largest <= 0 || largest >= smallest_plain) return;
+  const int exponent = static_cast<int>(std::ceil(-std::log10(largest)));
+  for (io::ChartSeries& series : plot.series)
+    for (double& y : series.y) y *= std::pow(10.0, exponent);
+  std::string power = "\u207B";
+  for (const char c : std::to_string(exponent)) power += digits[static_cast<std::size_t>(c - '0')];
+  plot.y.label += " (in 10" + power + ")";
 }
 
 // Only the plot above names the lines; they have one colour in both.
@@ -66,7 +85,7 @@ io::Chart media_chart(const MediaTable& table) {
   if (table.media.size() == 1) chart.subtitle = table.media.front().description();
   chart.x.label = "vacuum wavelength (nm)";
   if (std::any_of(table.media.begin(), table.media.end(), absorbs))
-    chart.further.push_back(plot(table.media, wavelengths_nm, imaginary_part, "extinction k", false));
+    rescale(chart.further.emplace_back(plot(table.media, wavelengths_nm, imaginary_part, "extinction k", false)));
   if (dashed) chart.notes.push_back("dashed: beyond what the source covers");
   chart.height_px = 0;
   return chart;

@@ -18,6 +18,9 @@ namespace shabon::optics {
 inline constexpr std::string_view medium_forms = "a medium (a number, a name, file:PATH or mix(...))";
 inline constexpr std::string_view thickness_form = "a thickness such as 300nm";
 
+// nm, um, mm, ...
+bool is_length_unit(std::string_view name);
+
 // A medium with whatever follows it. Offsets count bytes of the text.
 struct StackElement {
   std::size_t begin = 0;
