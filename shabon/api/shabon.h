@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shabon/api/lamp_file.h"
+#include "shabon/api/lamp_file.h"
 #include "shabon/api/nk_file.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/api/resources.h"
@@ -12,6 +13,7 @@
 #include "shabon/base/result.h"
 #include "shabon/base/units.h"
 #include "shabon/color/adaptation.h"
+#include "shabon/color/daylight.h"
 #include "shabon/color/gamut.h"
 #include "shabon/color/illuminant.h"
 #include "shabon/color/lab.h"
