@@ -30,8 +30,8 @@ struct StackSide {
   math::complex_packet<T, N> difference, sum;  // u1 E - H, u1 E + H
   math::packet<T, N> u1;
   math::complex_packet<T, N> u3;
-  math::packet<T, N> passed;  // what all scalings multiply up to
-  math::packet<T, N> inside;  // the sum of |E|^2 + |H|^2 over all faces, scaled alike
+  math::packet<T, N> passed;    // what all scalings multiply up to
+  math::packet<T, N> rounding;  // of Fields, scaled as size^2 is
 };
 
 template <class T, int N>
@@ -50,7 +50,7 @@ inline RayLanes<N> ray_lanes(const StackTable& table, std::size_t first, double 
 // The fields at the exit: a wave that runs away alone, E = 1 and H = u3.
 template <class T, int N>
 inline void begin_at_exit(const StackTable& table, const RayLanes<N>& ray, bool running, StackSides<T, N>& sides,
-                          BothFields<T, N>& fields) {
+                          StackWave<T, N>& wave) {
   using P = math::packet<T, N>;
   using C = math::complex_packet<T, N>;
   const SquaredRows<T>&n1 = table.incidence.squared<T>(), &n3 = table.exit.squared<T>();
@@ -66,21 +66,17 @@ inline void begin_at_exit(const StackTable& table, const RayLanes<N>& ray, bool 
     sides.p.u3 = sides.s.u3 * row_pair<T, N>(n3.inverse, n3.inverse_im, table.exit.lossless, ray.first);
   }
   const auto running_away = [](const C& u3) { return Fields<T, N>{C(P(T(1))), C(-u3.im, u3.re)}; };
-  fields = {running_away(sides.s.u3), running_away(sides.p.u3)};
-}
-
-template <class T, int N>
-inline math::packet<T, N> size_of(const Fields<T, N>& f) {
-  return norm(f.e) + norm(f.ih);
+  wave.s = running_away(sides.s.u3), wave.p = running_away(sides.p.u3);
 }
 
 // Brings the fields back to the order of 1, before squares of them can overflow.
 template <class T, int N>
 inline void rescale(Fields<T, N>& f, StackSide<T, N>& side) {
   const auto scale = math::reciprocal(abs(f.e.re) + abs(f.e.im) + abs(f.ih.re) + abs(f.ih.im));
-  f = {{f.e.re * scale, f.e.im * scale}, {f.ih.re * scale, f.ih.im * scale}};
+  f.e = {f.e.re * scale, f.e.im * scale}, f.ih = {f.ih.re * scale, f.ih.im * scale};
   side.passed *= scale;
-  side.inside *= scale * scale;
+  const auto scale2 = scale * scale;
+  f.size *= scale2, f.rounding *= scale2 * scale2;
 }
 
 template <class T, int N>
@@ -88,6 +84,7 @@ inline void end_at_entrance(const Fields<T, N>& f, StackSide<T, N>& side) {
   const math::complex_packet<T, N> u1_e(side.u1 * f.e.re, side.u1 * f.e.im), h(f.ih.im, -f.ih.re);
   side.difference = u1_e - h;
   side.sum = u1_e + h;
+  side.rounding = f.rounding;
 }
 
 // The wavelengths first..first+N of the table's rows; `first` is a multiple of N.
@@ -99,23 +96,21 @@ inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, 
   const bool running = table.exit.lossless && table.exit.least_step + table.least_n1_squared * ray.cos2 > 0;
   StackSides<T, N> sides;
   sides.lossless = table.lossless && running;
-  sides.s.passed = sides.p.passed = P(T(1)), sides.s.inside = sides.p.inside = P(T(0));
-  BothFields<T, N> fields;
-  begin_at_exit(table, ray, running, sides, fields);
-  P faded(T(0));
+  sides.s.passed = sides.p.passed = P(T(1));
+  StackWave<T, N> wave;
+  begin_at_exit(table, ray, running, sides, wave);
   const std::size_t count = table.layers.size();
   for (std::size_t met = 0; met < count; ++met) {
     const std::size_t j = at.from_exit ? met : count - 1 - met;
     const LayerOfTable& layer = table.layers[j];
     cross_layer<T, N>(table, table.media[layer.medium], ray, j == at.layer ? at.thickness_nm : layer.thickness_nm,
-                      fields, faded);
-    sides.s.inside += size_of(fields.s), sides.p.inside += size_of(fields.p);
+                      wave);
     if (met % layers_between_scalings == layers_between_scalings - 1)
-      rescale(fields.s, sides.s), rescale(fields.p, sides.p);
+      rescale(wave.s, sides.s), rescale(wave.p, sides.p);
   }
-  end_at_entrance(fields.s, sides.s), end_at_entrance(fields.p, sides.p);
-  if (any(faded > P(T(0)))) {
-    const P decay = math::exp2(-faded);
+  end_at_entrance(wave.s, sides.s), end_at_entrance(wave.p, sides.p);
+  if (any(wave.faded > P(T(0)))) {
+    const P decay = math::exp2(-wave.faded);
     sides.s.passed *= decay, sides.p.passed *= decay;
   }
   return sides;
@@ -153,23 +148,26 @@ inline SideAmplitudes<T, N> amplitudes_of(const StackSide<T, N>& side, bool loss
   return {side.difference * over_sum, {factor * over_sum.re, factor * over_sum.im}};
 }
 
-// How much more light, at most, there is inside the stack than falls on it, summed over the faces. The rounding of one
-// layer's matrix changes R by about so many times itself (perturbation theory: dr is the integral of E^2 over the
-// change).
+// The square root of the sum of squares, over all faces, of the light there in shares of what falls on the stack (and
+// of what opaque layers cancel): R and T in float are wrong by up to about 1e-7 times this.
 template <class T, int N>
 inline math::packet<T, N> light_inside(const StackSide<T, N>& side) {
-  return T(2) * side.u1 * side.inside * math::reciprocal(norm(side.sum));
+  return T(2) * side.u1 * sqrt(side.rounding) * math::reciprocal(norm(side.sum));
 }
 
 // Above this, float's rounding may exceed 5e-6 in R or T.
-inline constexpr float most_light_inside = 50;
+inline constexpr float most_light_inside = 12;
+
+// And so with more layers than this: layers that are alike round alike, and their errors no longer add up as squares.
+inline constexpr std::size_t most_layers_in_float = 40;
 
 template <int N>
-inline bool needs_double(const StackSides<float, N>& sides) {
+inline bool needs_double(const StackTable& table, const StackSides<float, N>& sides) {
+  if (table.layers.size() > most_layers_in_float) return true;
   const math::packet<float, N> most(most_light_inside);
   // Written so that not-a-number, from an overflow, needs double too.
   const auto fine = (light_inside(sides.s) <= most) & (light_inside(sides.p) <= most);
-  return bits(fine) != (N == 32 ? ~0u : (1u << N) - 1);
+  return bits(fine) != (1u << N) - 1;
 }
 
 // Packets of N from those of both halves.
@@ -200,10 +198,10 @@ inline auto with_enough_digits(const StackTable& table, std::size_t first, const
   } else {
     const StackSides<float, N> sides = cross_stack<float, N>(table, first, at);
     auto result = finish(sides);
-    if (needs_double(sides)) [[unlikely]] {
-      const auto exact = in_lanes_of<double, N>(table, first, at, finish);
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] = math::convert<float>(exact[i]);
-    }
+    if (!needs_double(table, sides)) [[likely]]
+      return result;
+    const auto exact = in_lanes_of<double, N>(table, first, at, finish);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = math::convert<float>(exact[i]);
     return result;
   }
 }

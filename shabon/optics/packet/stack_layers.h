@@ -18,14 +18,19 @@
 namespace shabon::optics {
 inline namespace SHABON_REGISTERS {
 
+// The fields of one polarisation at a face; in float also what the rounding so far will do, see rounding_of.
 template <class T, int N>
 struct Fields {
   math::complex_packet<T, N> e, ih;
+  math::packet<T, N> size{T(0)};      // |E|^2 + |H|^2
+  math::packet<T, N> rounding{T(0)};  // the sum over the faces behind, scaled as size^2 is
 };
 
+// Both polarisations on their way from the exit to the entrance.
 template <class T, int N>
-struct BothFields {
+struct StackWave {
   Fields<T, N> s, p;
+  math::packet<T, N> faded{T(0)};  // log2 of what the scaling of opaque layers took away
 };
 
 // What all layers of a stack share in one evaluation.
@@ -60,14 +65,35 @@ struct LayerMatrix {
   Number cosine, over, times;
 };
 
+template <class T, int N>
+inline math::packet<T, N> size_of(const Fields<T, N>& f) {
+  return norm(f.e) + norm(f.ih);
+}
+
+// The rounding of one layer's matrix, some 1e-7 of the fields on both of its sides, reaches r as 1e-7 times their
+// product over what falls on the stack; roundings of several layers add up as squares do. Behind an opaque layer the
+// fields may be far larger than in front of it: then digits are lost in it.
+template <class T, int N>
+inline void count_rounding(Fields<T, N>& f) {
+  if constexpr (sizeof(T) == 4) {
+    const math::packet<T, N> behind = f.size;
+    f.size = size_of(f);
+    f.rounding += f.size * (f.size + T(0.25) * behind);
+  }
+}
+
 template <class T, int N, class Number>
 inline void cross(Fields<T, N>& f, const LayerMatrix<Number>& m) {
   if constexpr (std::is_same_v<Number, math::packet<T, N>>) {
-    f = {{m.cosine * f.e.re - m.over * f.ih.re, m.cosine * f.e.im - m.over * f.ih.im},
-         {m.cosine * f.ih.re + m.times * f.e.re, m.cosine * f.ih.im + m.times * f.e.im}};
+    const math::complex_packet<T, N> e = f.e;
+    f.e = {m.cosine * e.re - m.over * f.ih.re, m.cosine * e.im - m.over * f.ih.im};
+    f.ih = {m.cosine * f.ih.re + m.times * e.re, m.cosine * f.ih.im + m.times * e.im};
   } else {
-    f = {m.cosine * f.e - m.over * f.ih, m.cosine * f.ih + m.times * f.e};
+    const math::complex_packet<T, N> e = m.cosine * f.e - m.over * f.ih;
+    f.ih = m.cosine * f.ih + m.times * f.e;
+    f.e = e;
   }
+  count_rounding(f);
 }
 
 // The square root of q^2 and its reciprocal in T, and the root with double's digits for the phase.
@@ -92,28 +118,28 @@ struct Roots {
 // A lossless layer with a real angle, q^2 > 0.
 template <class T, int N>
 inline void cross_dispersive(const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
-                             BothFields<T, N>& fields) {
+                             StackWave<T, N>& wave) {
   const SquaredRows<T>& squared = layer.squared<T>();
   const Roots<T, N> roots(row_at<N>(layer.step, ray.first) + ray.q1_squared);
   const auto turn = turn_of<T, N>(roots.exact * (ray.half_turns_per_nm * thickness_nm));
   const auto over = turn.sine * roots.over_q, times = turn.sine * roots.q;
-  cross(fields.s, LayerMatrix<math::packet<T, N>>{turn.cosine, over, times});
-  cross(fields.p, LayerMatrix<math::packet<T, N>>{turn.cosine, over * row_at<N>(squared.n_squared, ray.first),
-                                                  times * row_at<N>(squared.inverse, ray.first)});
+  cross(wave.s, LayerMatrix<math::packet<T, N>>{turn.cosine, over, times});
+  cross(wave.p, LayerMatrix<math::packet<T, N>>{turn.cosine, over * row_at<N>(squared.n_squared, ray.first),
+                                                times * row_at<N>(squared.inverse, ray.first)});
 }
 
 // The same where neither the layer nor medium 1 is dispersive: the angle and all that follows from it are single
 // numbers.
 template <class T, int N>
 inline void cross_constant(const MediumRows& layer, const RayLanes<N>& ray, double n1_squared, double thickness_nm,
-                           BothFields<T, N>& fields) {
+                           StackWave<T, N>& wave) {
   using P = math::packet<T, N>;
   const double q = std::sqrt(layer.step[0] + n1_squared * ray.cos2), over_q = 1 / q;
   const double n_squared = layer.in_double.n_squared[0], inverse = layer.in_double.inverse[0];
   const auto turn = turn_of<T, N>(ray.half_turns_per_nm * (q * thickness_nm));
   const auto scaled = [&](double factor) { return turn.sine * static_cast<T>(factor); };
-  cross(fields.s, LayerMatrix<P>{turn.cosine, scaled(over_q), scaled(q)});
-  cross(fields.p, LayerMatrix<P>{turn.cosine, scaled(n_squared * over_q), scaled(q * inverse)});
+  cross(wave.s, LayerMatrix<P>{turn.cosine, scaled(over_q), scaled(q)});
+  cross(wave.p, LayerMatrix<P>{turn.cosine, scaled(n_squared * over_q), scaled(q * inverse)});
 }
 
 // q of any layer in T, by math::sqrt_upper, and with double's digits by one step of Newton's method.
@@ -155,10 +181,9 @@ inline math::complex_packet<T, N> row_pair(const WavelengthRow<T>& re, const Wav
   return {row_at<N>(re, first), row_at<N>(im, first)};
 }
 
-// Any layer: absorbing, or beyond its critical angle. `faded` grows by log2 of what the scaling took away.
+// Any layer: absorbing, or beyond its critical angle.
 template <class T, int N>
-inline void cross_general(const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
-                          BothFields<T, N>& fields, math::packet<T, N>& faded) {
+inline void cross_general(const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm, StackWave<T, N>& wave) {
   using P = math::packet<T, N>;
   using C = math::complex_packet<T, N>;
   constexpr double pi_log2_e = std::numbers::pi * std::numbers::log2e;
@@ -167,27 +192,29 @@ inline void cross_general(const MediumRows& layer, const RayLanes<N>& ray, doubl
   const auto turn = turn_of<T, N>(roots.exact.re * per_q);
   const P log2_decay = math::convert<T>(roots.exact.im * (per_q * pi_log2_e));  // log2 of e^(Im beta)
   // e^(-y) cosh(y) and e^(-y) sinh(y), the latter with all its digits where it vanishes.
-  const P sinh = math::exp2_minus_1(log2_decay * T(-2)) * T(-0.5), cosh = T(1) - sinh;
-  faded += log2_decay;
+  const P decay_less_1 = math::exp2_minus_1(log2_decay * T(-2)), sinh = decay_less_1 * T(-0.5), cosh = T(1) - sinh;
+  wave.faded += log2_decay;
+  const P decay = decay_less_1 + T(1), decay_squared = decay * decay;
+  wave.s.rounding *= decay_squared, wave.p.rounding *= decay_squared;
   const C cosine(turn.cosine * cosh, -(turn.sine * sinh)), sine(turn.sine * cosh, turn.cosine * sinh);
   const C over = sine * roots.over_q, times = sine * roots.q;
   const SquaredRows<T>& squared = layer.squared<T>();
   const C n_squared = row_pair<T, N>(squared.n_squared, squared.n_squared_im, layer.lossless, ray.first);
   const C inverse = row_pair<T, N>(squared.inverse, squared.inverse_im, layer.lossless, ray.first);
-  cross(fields.s, LayerMatrix<C>{cosine, over, times});
-  cross(fields.p, LayerMatrix<C>{cosine, over * n_squared, times * inverse});
+  cross(wave.s, LayerMatrix<C>{cosine, over, times});
+  cross(wave.p, LayerMatrix<C>{cosine, over * n_squared, times * inverse});
 }
 
 // Whichever the layer needs at this angle.
 template <class T, int N>
 inline void cross_layer(const StackTable& table, const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
-                        BothFields<T, N>& fields, math::packet<T, N>& faded) {
+                        StackWave<T, N>& wave) {
   constexpr double least_q_squared = 1e-20;  // whose reciprocal root is still an ordinary number
   const bool real_angle = layer.lossless && layer.least_step + table.least_n1_squared * ray.cos2 > least_q_squared;
-  if (!real_angle) return cross_general<T, N>(layer, ray, thickness_nm, fields, faded);
+  if (!real_angle) return cross_general<T, N>(layer, ray, thickness_nm, wave);
   if (layer.constant)
-    return cross_constant<T, N>(layer, ray, table.incidence.in_double.n_squared[0], thickness_nm, fields);
-  cross_dispersive<T, N>(layer, ray, thickness_nm, fields);
+    return cross_constant<T, N>(layer, ray, table.incidence.in_double.n_squared[0], thickness_nm, wave);
+  cross_dispersive<T, N>(layer, ray, thickness_nm, wave);
 }
 
 }  // namespace SHABON_REGISTERS

@@ -69,13 +69,14 @@ std::string text_of(const StackCase& it, int lane) {
 }
 
 struct Errors {
-  Worst powers, blocks, energy;
+  Worst powers, blocks, energy, float_per_light;
   int needed_double = 0, packets = 0;
 
   void expect() const {
     powers.expect_within(required_of_stacks, "R and T");
     blocks.expect_within(required_of_stacks, "Mueller blocks");
     energy.expect_within(kept_energy, "R + T - 1");
+    float_per_light.expect_within(required_of_stacks / most_light_inside, "float, per light inside");
     std::printf("[ measured ] %d of %d packets in double\n", needed_double, packets);
   }
 };
@@ -89,15 +90,34 @@ void compare_block(const MuellerBlock<lanes>& block, int i, double s, double p, 
   worst.see(std::abs(block.d[i] - both.imag()), where);
 }
 
+// What float alone makes of it: the error of R and T follows the light inside.
+void see_float(const StackCase& it, const StackTable& table, Errors& errors) {
+  constexpr int leaf = math::register_bytes / 4;
+  const bool few = table.layers.size() <= most_layers_in_float;
+  for (std::size_t first = 0; first < lanes; first += leaf, ++errors.packets) {
+    const auto rough = cross_stack<float, leaf>(table, first, {.cos_i = it.cos_i});
+    const auto exact = cross_stack<double, leaf>(table, first, {.cos_i = it.cos_i});
+    errors.needed_double += needs_double(table, rough);
+    const auto see = [&](const StackSide<float, leaf>& side, const StackSide<double, leaf>& exact_side) {
+      const auto powers = powers_of(side, rough.lossless);
+      const auto exact_powers = powers_of(exact_side, exact.lossless);
+      const auto light = light_inside(side);
+      for (int i = 0; i < leaf; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+          if (few && std::isfinite(light[i]))
+            errors.float_per_light.see(std::abs(powers[k][i] - exact_powers[k][i]) / (1 + light[i]),
+                                       [&] { return text_of(it, static_cast<int>(first) + i); });
+    };
+    see(rough.s, exact.s), see(rough.p, exact.p);
+  }
+}
+
 void compare(const StackCase& it, Errors& errors) {
   const StackTable table(it.stack, it.wavelengths_nm);
   const FilmPowers<lanes> fast = stack_powers<lanes>(table, 0, {.cos_i = it.cos_i});
   const FilmMueller<lanes> rows = stack_mueller<lanes>(table, 0, {.cos_i = it.cos_i});
   const Incidence incidence = incidence_from_cos(it.cos_i);
-  constexpr int leaf = math::register_bytes / 4;
-  for (int first = 0; first < lanes; first += leaf, ++errors.packets)
-    errors.needed_double +=
-        needs_double(cross_stack<float, leaf>(table, static_cast<std::size_t>(first), {.cos_i = it.cos_i}));
+  see_float(it, table, errors);
   for (int i = 0; i < lanes; ++i) {
     const double nm = it.wavelengths_nm[static_cast<std::size_t>(i)];
     const auto where = [&] { return text_of(it, i); };
@@ -188,6 +208,23 @@ TEST(PacketStack, NarrowBandsAreEvaluatedInDouble) {
   }
   errors.expect();
   EXPECT_EQ(errors.needed_double, errors.packets);
+}
+
+// Light guided in a layer behind one that it cannot cross: the field in front is a small difference of large numbers.
+TEST(PacketStack, GuidedLightBehindOpaqueLayers) {
+  Stack guide;
+  guide.incidence = guide.exit = Medium::constant(as_float(1.52));
+  const std::pair<Complex, double> layers[] = {{2.453, 135.7}, {1.46, 2534.2}, {1.6, 1374}, {1.334, 266.4}};
+  for (const auto& [n, thickness_nm] : layers)
+    guide.layers.push_back({Medium::constant(as_float(n.real())), as_float(thickness_nm), true});
+  guide.layers.push_back({Medium::constant({as_float(0.1052), as_float(1.085)}), as_float(35.5), true});
+  Errors errors;
+  for (int step = 0; step < 2000; ++step) {
+    StackCase it = case_of(guide, as_float(0.17 + 1e-5 * step));
+    for (int i = 0; i < lanes; ++i) it.wavelengths_nm[static_cast<std::size_t>(i)] = as_float(452 + 0.06 * i);
+    compare(it, errors);
+  }
+  errors.expect();
 }
 
 TEST(PacketStack, LightFromTheExitSideSeesTheStackReversed) {
