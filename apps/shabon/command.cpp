@@ -103,7 +103,7 @@ Action chosen_action(std::vector<std::string> arguments) {
   CLI::App app("Shabon computes and renders the colours that light interference makes.", "shabon");
   const Actions actions = declare_all(app);
 
-  if (arguments.empty()) return [] { return complain("a command is needed", ""); };
+  if (arguments.empty() || arguments.front() == "--") return [] { return complain("a command is needed", ""); };
   const std::vector<std::string_view> names = command_names();
   const std::string first = arguments.front();
   const bool is_command = std::find(names.begin(), names.end(), first) != names.end();

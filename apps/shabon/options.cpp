@@ -53,7 +53,7 @@ std::vector<double> numbers_in(const std::string& option, const std::vector<std:
   for (const std::string& text : texts)
     for (const std::string_view part : split(text, ',')) numbers.push_back(number_in(option, part, range, unit));
   if (numbers.size() > most_values)
-    usage_error(option, fmt::format("at most {} values, got {}", most_values, numbers.size()));
+    usage_error(option, fmt::format("expected at most {} values, got {}", most_values, numbers.size()));
   return numbers;
 }
 
@@ -76,6 +76,7 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
                       const std::string& value_name, const std::string& description) {
   const auto read = [&target, value_name, option = shown_name(names)](const std::string& text) {
+    if (trim(text).empty()) usage_error(option, "expected a value, got an empty text");
     // An option that stands where a value is missing.
     if (text.starts_with("--") && text.size() > 2)
       usage_error(option, fmt::format("expected {}, got the option '{}'", value_name, printable(text, 60)));

@@ -33,7 +33,8 @@ CLI::Option* add_number(CLI::App& app, const std::string& names, std::optional<d
 CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<long long>& target, long long least,
                          long long most, const std::string& description);
 
-// A text, such as a name or a file. What looks like an option is refused; a file may still be named ./--so.
+// A text, such as a name or a file. Empty ones are refused, and what looks like an option; a file may
+// still be named ./--so.
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
                       const std::string& value_name, const std::string& description);
 
@@ -58,6 +59,7 @@ template <class Entries>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, std::size_t& target, const Entries& entries,
                         const std::string& description) {
   std::vector<std::string_view> names;
+  names.reserve(std::size(entries));
   for (const auto& entry : entries) names.push_back(entry.name);
   return add_name(app, option, target, names, description);
 }

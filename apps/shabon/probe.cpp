@@ -129,10 +129,8 @@ int run_probe(const ProbeCommand& command) {
 Action declare_probe(CLI::App& app) {
   const auto command = std::make_shared<ProbeCommand>();
   add_scene_input(app, command->scene);
-  CLI::Option* pixel =
-      add_tuple(app, "--pixel", command->pixel, 2, "X Y",
-                "Through the centre of pixel X Y, counted from 0 0 at the top left; fractions lie between the centres, "
-                "from -0.5 -0.5 to the other corner");
+  CLI::Option* pixel = add_tuple(app, "--pixel", command->pixel, 2, "X Y",
+                                 "Through the centre of pixel X Y, counted from 0 0 at the top left");
   add_tuple(app, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "From a point in a direction; no polariser")
       ->excludes(pixel);
   add_wavelengths(app, command->wavelengths_nm, "380:780:5", {.low = color::first_nm, .high = color::last_nm});
@@ -140,6 +138,7 @@ Action declare_probe(CLI::App& app) {
   app.footer(
       R"(Radiance is per nm, scaled so that its sum with the observer's ybar over 360..830 nm at 1 nm is Y; a lamp of scale 1
 seen directly has Y = 1. XYZ and linear_srgb of the JSON are sums over that whole range.
+X may have fractions, from -0.5 at the left edge to W-0.5 at the right; Y likewise, from the top edge to the bottom.
 
 Examples:
   shabon probe --pixel 400 300

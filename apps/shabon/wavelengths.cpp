@@ -14,13 +14,14 @@ namespace {
 constexpr double step_slack = 1e-6;
 
 std::vector<double> grid(const std::string& option, const std::vector<std::string_view>& parts, Range range) {
-  if (parts.size() != 3) usage_error(option, "expected A:B:STEP or L1,L2,...");
+  if (parts.size() != 3)
+    usage_error(option, fmt::format("expected A:B:STEP or L1,L2,..., got {} numbers", parts.size()));
   const double first = number_in(option, parts[0], range, "nm"), last = number_in(option, parts[1], range, "nm");
   const double step = number_in(option, parts[2], {.low = 0, .low_open = true}, "nm");
-  if (last < first) usage_error(option, "expected A:B:STEP with A <= B");
+  if (last < first) usage_error(option, fmt::format("expected A:B:STEP with A <= B, got {}:{}", parts[0], parts[1]));
   const double steps = std::floor((last - first) / step + step_slack);
   if (!(steps < static_cast<double>(most_wavelengths)))
-    usage_error(option, fmt::format("at most {} wavelengths", most_wavelengths));
+    usage_error(option, fmt::format("expected at most {} wavelengths", most_wavelengths));
   std::vector<double> wavelengths_nm;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i)
     wavelengths_nm.push_back(std::min(first + static_cast<double>(i) * step, last));
