@@ -39,9 +39,9 @@ double multiply_add(double& operations) {
     for (int i = 0; i < independent; ++i) {
       sums[i] = sums[i] * factor + addend;
 #if defined(__AVX512F__)
-      asm volatile("" : "+v"(sums[i].v));  // neither rewritten nor left out
+      asm volatile("" : : "v"(sums[i].v));  // neither rewritten nor left out
 #elif defined(__x86_64__)
-      asm volatile("" : "+x"(sums[i].v));
+      asm volatile("" : : "x"(sums[i].v));
 #endif
     }
   operations = 2.0 * lanes * independent * rounds;
@@ -98,11 +98,12 @@ double StackPackets::stokes() const {
 }
 
 double StackPackets::share_in_double() const {
+  if (tables_->table.layers.size() > optics::most_layers_in_float) return 1;
   double in_double = 0, packets = 0;
   for (const double cos_i : tables_->cases.cos_i)
     for (std::size_t first = 0; first < tables_->cases.wavelengths_nm.size(); first += float_lanes, ++packets)
       in_double += optics::needs_double(
-          tables_->table, optics::cross_stack<float, float_lanes>(tables_->table, first, StackRay{.cos_i = cos_i}));
+          optics::cross_stack<float, float_lanes>(tables_->table, first, StackRay{.cos_i = cos_i}));
   return in_double / packets;
 }
 

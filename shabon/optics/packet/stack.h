@@ -158,12 +158,11 @@ inline math::packet<T, N> light_inside(const StackSide<T, N>& side) {
 // Above this, float's rounding may exceed 5e-6 in R or T.
 inline constexpr float most_light_inside = 12;
 
-// And so with more layers than this: layers that are alike round alike, and their errors no longer add up as squares.
-inline constexpr std::size_t most_layers_in_float = 40;
+// With more layers float would be in vain too often: a packet in double takes at most half as long again.
+inline constexpr std::size_t most_layers_in_float = 10;
 
 template <int N>
-inline bool needs_double(const StackTable& table, const StackSides<float, N>& sides) {
-  if (table.layers.size() > most_layers_in_float) return true;
+inline bool needs_double(const StackSides<float, N>& sides) {
   const math::packet<float, N> most(most_light_inside);
   // Written so that not-a-number, from an overflow, needs double too.
   const auto fine = (light_inside(sides.s) <= most) & (light_inside(sides.p) <= most);
@@ -196,10 +195,13 @@ inline auto with_enough_digits(const StackTable& table, std::size_t first, const
     return joined_halves<N>(with_enough_digits<N / 2>(table, first, at, finish),
                             with_enough_digits<N / 2>(table, first + N / 2, at, finish));
   } else {
-    const StackSides<float, N> sides = cross_stack<float, N>(table, first, at);
-    auto result = finish(sides);
-    if (!needs_double(table, sides)) [[likely]]
-      return result;
+    decltype(finish(std::declval<StackSides<float, N>>())) result;
+    if (table.layers.size() <= most_layers_in_float) [[likely]] {
+      const StackSides<float, N> sides = cross_stack<float, N>(table, first, at);
+      result = finish(sides);
+      if (!needs_double(sides)) [[likely]]
+        return result;
+    }
     const auto exact = in_lanes_of<double, N>(table, first, at, finish);
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = math::convert<float>(exact[i]);
     return result;

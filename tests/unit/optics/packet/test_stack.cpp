@@ -93,11 +93,12 @@ void compare_block(const MuellerBlock<lanes>& block, int i, double s, double p, 
 // What float alone makes of it: the error of R and T follows the light inside.
 void see_float(const StackCase& it, const StackTable& table, Errors& errors) {
   constexpr int leaf = math::register_bytes / 4;
-  const bool few = table.layers.size() <= most_layers_in_float;
+  // More layers that are alike round alike, and their errors no longer add up as squares.
+  const bool few = table.layers.size() <= 40;
   for (std::size_t first = 0; first < lanes; first += leaf, ++errors.packets) {
     const auto rough = cross_stack<float, leaf>(table, first, {.cos_i = it.cos_i});
     const auto exact = cross_stack<double, leaf>(table, first, {.cos_i = it.cos_i});
-    errors.needed_double += needs_double(table, rough);
+    errors.needed_double += needs_double(rough);
     const auto see = [&](const StackSide<float, leaf>& side, const StackSide<double, leaf>& exact_side) {
       const auto powers = powers_of(side, rough.lossless);
       const auto exact_powers = powers_of(exact_side, exact.lossless);
