@@ -48,7 +48,7 @@ struct ReferenceFile {
 // The names, descriptions and rows of all files, without their text; index.csv and README.md are the last.
 std::vector<ReferenceFile> reference_list();
 
-// All files, about 6 MB, computed in double precision by the reference. The same bytes at every call, whatever the
+// All files, about 5 MB, computed in double precision by the reference. The same bytes at every call, whatever the
 // number of threads; on another machine the last digit of a number may be another, as its C library rounds.
 // `program_version` is told in their heads.
 std::vector<ReferenceFile> reference_files(std::string_view program_version);
