@@ -21,6 +21,8 @@ constexpr std::array command_list{
     Command{"spectrum", "Reflectance and transmittance of a film over wavelength and angle", declare_spectrum},
     Command{"color", "The colour of a film under a lamp", declare_color},
     Command{"chart", "Draw charts of film colours and of birefringence", declare_chart},
+    Command{"compare", "How far common shortcuts are from the exact colour of a film", declare_compare},
+    Command{"reference", "Write tables of standard films, to test other programs against", declare_reference},
     Command{"media", "List the media of the library, print and draw their n and k", declare_media},
     Command{"lamps", "List the lamps and observers of the library", declare_lamps},
 };
