@@ -31,23 +31,22 @@ template <class T>
 double multiply_add(double& operations) {
   constexpr int lanes = math::register_bytes / static_cast<int>(sizeof(T)), independent = 12, rounds = 4096;
   using P = math::packet<T, lanes>;
-  P sums[independent];
-  for (int i = 0; i < independent; ++i) sums[i] = P(T(1 + i));
   const P factor(T(0.999)), addend(T(1e-3));
-  for (int round = 0; round < rounds; ++round)
-#pragma GCC unroll 16
-    for (int i = 0; i < independent; ++i) {
-      sums[i] = sums[i] * factor + addend;
+  const auto add = [&](P& sum) {
+    sum = sum * factor + addend;
 #if defined(__AVX512F__)
-      asm volatile("" : : "v"(sums[i].v));  // neither rewritten nor left out
+    asm volatile("" : : "v"(sum.v));  // neither rewritten nor left out
 #elif defined(__x86_64__)
-      asm volatile("" : : "x"(sums[i].v));
+    asm volatile("" : : "x"(sum.v));
 #endif
-    }
+  };
+  const auto run = [&](auto... sums) {  // each a variable, so that it stays in a register
+    for (int round = 0; round < rounds; ++round) (add(sums), ...);
+    return math::sum((sums + ...));
+  };
   operations = 2.0 * lanes * independent * rounds;
-  T result = 0;
-  for (const P& sum : sums) result += math::sum(sum);
-  return static_cast<double>(result);
+  return [&]<int... i>(std::integer_sequence<int, i...>) { return static_cast<double>(run(P(T(1 + i))...)); }
+  (std::make_integer_sequence<int, independent>());
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ std::vector<std::unique_ptr<Kind>> all_kinds() {
   const Medium low_d = dispersive(1.48, 1.45), high_d = dispersive(2.25, 2.05);
   std::vector<std::unique_ptr<Kind>> kinds;
   const auto add = [&](auto&&... of) { kinds.push_back(std::make_unique<Kind>(of...)); };
-  for (const int layers : {1, 10, 40})
+  for (const int layers : {1, 6, 10, 40})
     add(fmt::format("{} of n = 1.46 and 2.1", layers), cases_of(layers, high, low, angle_count),
         operations_per_constant_layer());
   add("10 dispersive", cases_of(10, high_d, low_d, angle_count), operations_per_dispersive_layer());

@@ -159,7 +159,7 @@ inline math::packet<T, N> light_inside(const StackSide<T, N>& side) {
 inline constexpr float most_light_inside = 12;
 
 // With more layers float would be in vain too often: a packet in double takes at most half as long again.
-inline constexpr std::size_t most_layers_in_float = 10;
+inline constexpr std::size_t most_layers_in_float = 8;
 
 template <int N>
 inline bool needs_double(const StackSides<float, N>& sides) {
