@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "json.h"
 #include "shabon/base/text.h"
 #include "shabon/io/svg_card.h"
@@ -24,11 +26,15 @@ const color::ColorSpaceEntry& entry_of(color::ColorSpace space) {
   return color::color_spaces()[static_cast<std::size_t>(space)];
 }
 
-// "Display P3 R" as the name of a column: Display_P3_R.
-std::string column_name(const color::ColorSpaceEntry& entry, std::string_view component) {
+// "Display P3 R" as the name of a column: Display_P3_R. Names of columns ignore case, so the two y of xyY are told
+// apart by their number: xyY_y2, xyY_Y3.
+std::string column_name(const color::ColorSpaceEntry& entry, std::size_t index) {
+  const std::string_view component = entry.components[index];
   std::string name = fmt::format("{}_{}", entry.name, component);
-  for (char& c : name)
-    if (c == ' ') c = '_';
+  if (std::count_if(entry.components.begin(), entry.components.end(),
+                    [&](std::string_view other) { return same_name(other, component); }) > 1)
+    name += std::to_string(index + 1);
+  std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
@@ -75,11 +81,10 @@ std::string color_json(const ColorReport& report) {
 
 std::string color_csv(const ColorReport& report) {
   std::string csv =
-      "angle_deg,side,X,Y,Z,x,y,L,a,b,linear_r,linear_g,linear_b,srgb_r,srgb_g,srgb_b,hex,"
+      "angle_deg,side,X,Y,Z,chromaticity_x,chromaticity_y,L,a,b,linear_r,linear_g,linear_b,srgb_r,srgb_g,srgb_b,hex,"
       "mapped_r,mapped_g,mapped_b,hex_mapped,in_gamut";
   for (const color::ColorSpace space : report.spaces)
-    for (const std::string_view component : entry_of(space).components)
-      csv += "," + column_name(entry_of(space), component);
+    for (std::size_t i = 0; i < 3; ++i) csv += "," + column_name(entry_of(space), i);
   csv += '\n';
   for (const FilmColor& film : report.colors) {
     const desk::Color& c = film.color;

@@ -4,7 +4,9 @@
 #include "child.h"
 #include "printed.h"
 #include "shabon/base/text.h"
+#include "shabon/color/adaptation.h"
 #include "shabon/color/illuminant.h"
+#include "shabon/color/observer.h"
 #include "shabon/color/xyz.h"
 #include "shabon/optics/media.h"
 
@@ -77,6 +79,88 @@ TEST(Color, TextHasASwatchOnlyWhereItIsWanted) {
   EXPECT_EQ(text({{"CLICOLOR_FORCE", "1"}, {"NO_COLOR", "1"}}).find(code), std::string::npos);
   for (const char* part : {"XYZ", "xy", "Lab", "linear sRGB", "sRGB clipped", "sRGB mapped", "#", "D65"})
     EXPECT_NE(text({}).find(part), std::string::npos) << part;
+}
+
+TEST(Color, SeveralAnglesAndSidesAreAList) {
+  const std::vector<std::string> arguments = {"color",         film,      "--angle",        "0,60",    "--reflected",
+                                              "--transmitted", "--space", "xyY,display p3", "--format"};
+  const auto as = [&](const char* format) {
+    std::vector<std::string> all = arguments;
+    all.emplace_back(format);
+    return all;
+  };
+  const io::YamlDocument json = json_of(as("json"));
+  const io::YamlNode* colors = io::find(json.root, "colors");
+  ASSERT_NE(colors, nullptr);
+  ASSERT_EQ(colors->items.size(), 4u);
+  const io::CsvTable csv = table_of(as("csv"));
+  EXPECT_EQ(column(csv, "angle_deg"), (std::vector<double>{0, 0, 60, 60}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const char* side = i % 2 ? "--transmitted" : "--reflected";
+    const io::YamlDocument single =
+        json_of({"color", film, "--angle", i < 2 ? "0" : "60", side, "--space", "XYY", "--format", "json"});
+    EXPECT_EQ(io::find(colors->items[i], "side")->text, std::string(side).substr(2));
+    EXPECT_EQ(numbers(colors->items[i], "XYZ"), numbers(single.root, "XYZ"));
+    EXPECT_EQ(numbers(single.root, "XYZ").at(1), column(csv, "Y")[i]);
+    EXPECT_EQ(numbers(single.root, "linear_srgb").at(2), column(csv, "linear_b")[i]);
+    const std::vector<double> xyY = numbers(*io::find(*io::find(single.root, "spaces"), "xyY"), "values");
+    EXPECT_EQ(xyY.at(0), numbers(single.root, "xy").at(0));
+    EXPECT_EQ(xyY.at(0), column(csv, "xyY_x")[i]);
+    const io::YamlNode* p3 = io::find(*io::find(colors->items[i], "spaces"), "Display P3");
+    ASSERT_NE(p3, nullptr);
+    EXPECT_EQ(numbers(*p3, "values").at(1), column(csv, "Display_P3_G")[i]);
+  }
+}
+
+// The whole lamp is the white of an RGB space once it is adapted to it, and is not before.
+TEST(Color, AdaptsOnRequest) {
+  for (const color::AdaptationEntry& method : color::adaptations()) {
+    const io::YamlDocument adapted = json_of({"color", "1 | 1", "--transmitted", "--illuminant", "A", "--adapt",
+                                              std::string(method.name), "--space", "ACEScg", "--format", "json"});
+    const io::YamlNode* acescg = io::find(*io::find(adapted.root, "spaces"), "ACEScg");
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(numbers(adapted.root, "linear_srgb").at(c), 1, 1e-12) << method.name;
+      EXPECT_NEAR(numbers(*acescg, "values").at(c), 1, 1e-12) << method.name;
+    }
+    EXPECT_NEAR(numbers(adapted.root, "XYZ").at(0), 1.09849, 1e-4);  // the lamp as it is
+  }
+  const io::YamlDocument plain = json_of({"color", "1 | 1", "--transmitted", "--illuminant", "A", "--format", "json"});
+  EXPECT_GT(numbers(plain.root, "linear_srgb").at(0), 1.5);
+}
+
+TEST(Color, KnowsEveryLampAndObserver) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("lamp.csv", "wavelength_nm,power\n360,1\n830,1\n").string();
+  const auto xyz = [](const std::string& lamp, const std::string& observer) {
+    return numbers(json_of({"color", film, "--illuminant", lamp, "--observer", observer, "--format", "json"}).root,
+                   "XYZ");
+  };
+  for (const color::Observer& observer : color::observers()) {
+    const std::string name(observer.name);
+    EXPECT_EQ(xyz("file:" + file, name), xyz("E", name));  // equal energy
+    for (const char* lamp : {"fl11", "LED-B3", "blackbody:3000K", "daylight:6500"})
+      EXPECT_GT(xyz(lamp, name).at(1), 0.01) << lamp;
+  }
+  EXPECT_NE(xyz("D65", "1931"), xyz("D65", "1964"));
+}
+
+TEST(Color, GamutMappingIsAChoice) {
+  const std::string violet = "air | water 200nm | air";
+  const auto text = [&](const std::vector<std::string>& more, const char* key) {
+    std::vector<std::string> arguments = {"color", violet, "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return io::find(json_of(arguments).root, key)->text;
+  };
+  EXPECT_EQ(text({"--gamut", "clip"}, "hex_mapped"), text({}, "hex"));
+  EXPECT_NE(text({}, "hex_mapped"), text({}, "hex"));
+}
+
+TEST(Color, TheCardShowsEveryColour) {
+  const std::string svg = result_of({"color", film, "--angle", "0,20,40,60", "--format", "svg"});
+  const io::CsvTable csv = table_of({"color", film, "--angle", "0,20,40,60", "--format", "csv"});
+  for (const io::CsvRow& row : csv.rows)
+    EXPECT_NE(svg.find("fill=\"" + std::string(row.cells[*csv.column("hex_mapped")].text)), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
 TEST(Listings, NameEveryMediumAndLamp) {
