@@ -100,6 +100,12 @@ int run_chart(ChartCommand& command) {
   Result<color::Illuminant> lamp = read_lamp(command.lamp);
   if (!lamp) return report(lamp.errors());
   command.chart.lamp = std::move(*lamp);
+  const auto asked = [&](std::string_view form) {
+    return (command.print && chart_file_kinds()[*command.print].name == form) ||
+           std::any_of(files->begin(), files->end(), [&](const ChartFile& file) { return file.kind->name == form; });
+  };
+  command.chart.wants_table = asked("csv");
+  command.chart.wants_drawing = asked("png") || asked("svg");
   const Result<MadeChart> chart = kind.make(command.chart);
   if (!chart) return report(chart.errors());
   report(chart->warnings);

@@ -36,6 +36,7 @@ struct ChartOptions {
   std::optional<color::Adaptation> adaptation;  // of what is drawn, from the lamp to the white of sRGB
   ChartExposure exposure = ChartExposure::each;
   double exposure_ev = 0;  // with ChartExposure::stops
+  bool wants_drawing = true, wants_table = true;
 
   optics::Interference interference() const { return optics::interference_models[interference_index].value; }
   const color::Observer& observer() const { return color::observers()[observer_index]; }

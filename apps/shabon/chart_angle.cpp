@@ -21,7 +21,7 @@ constexpr std::size_t default_side = 1;          // reflected
 constexpr int width_px = 1000, height_px = 707;  // the sides of A4
 constexpr int two_maps_height_px = 1280;
 // What is computed is a grid of points; between them the picture is interpolated to at least these sizes.
-constexpr std::size_t least_columns = 1400, least_rows = 720;
+constexpr std::size_t least_columns = 1050, least_rows = 540;
 
 struct Side {
   desk::Side side = desk::Side::reflected;
@@ -189,7 +189,11 @@ std::string table(const AngleMap& map, const ChartOptions& options) {
 Result<MadeChart> make_angle_chart(const ChartOptions& options) {
   const Result<AngleMap> map = compute(options);
   if (!map) return map.errors();
-  return MadeChart{draw(*map, options), table(*map, options), film_warnings(map->film)};
+  MadeChart chart;
+  if (options.wants_drawing) chart.drawing = draw(*map, options);
+  if (options.wants_table) chart.csv = table(*map, options);
+  chart.warnings = film_warnings(map->film);
+  return chart;
 }
 
 }  // namespace shabon::app

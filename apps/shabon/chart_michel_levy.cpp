@@ -127,7 +127,10 @@ Result<MadeChart> make_michel_levy_chart(const ChartOptions& options) {
   const MichelLevy levy = compute(options);
   if (levy.retardations_nm.size() < 2)
     return fail(Failure::usage, "--retardation: expected at least two values, a smaller step");
-  return MadeChart{draw(levy, options), table(levy, options), {}};
+  MadeChart chart;
+  if (options.wants_drawing) chart.drawing = draw(levy, options);
+  if (options.wants_table) chart.csv = table(levy, options);
+  return chart;
 }
 
 }  // namespace shabon::app

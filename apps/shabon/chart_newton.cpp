@@ -152,7 +152,11 @@ std::string table(const Newton& newton, const ChartOptions& options) {
 Result<MadeChart> make_newton_chart(const ChartOptions& options) {
   const Result<Newton> newton = compute(options);
   if (!newton) return newton.errors();
-  return MadeChart{draw(*newton, options), table(*newton, options), film_warnings(newton->film)};
+  MadeChart chart;
+  if (options.wants_drawing) chart.drawing = draw(*newton, options);
+  if (options.wants_table) chart.csv = table(*newton, options);
+  chart.warnings = film_warnings(newton->film);
+  return chart;
 }
 
 }  // namespace shabon::app

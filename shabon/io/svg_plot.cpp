@@ -99,10 +99,24 @@ std::string draw_rule(const ChartRule& rule, const Frame& frame) {
                     {.size = small_size, .anchor = "middle"});
 }
 
+// A single row is a series of patches with sharp sides. Many viewers smooth what they enlarge, so each patch becomes
+// several equal columns, about as many as a large print has.
+ChartPicture sharpened(const ChartPicture& row) {
+  constexpr int print_columns = 4000;
+  const int times = row.columns > 0 ? (print_columns + row.columns - 1) / row.columns : 1;
+  if (row.rows != 1 || times <= 1 || row.rgb.size() != 3 * static_cast<std::size_t>(row.columns)) return row;
+  ChartPicture wide{row.x_low, row.x_high, row.y_low, row.y_high, row.columns * times, 1, {}};
+  wide.rgb.reserve(row.rgb.size() * static_cast<std::size_t>(times));
+  for (auto color = row.rgb.begin(); color != row.rgb.end(); color += 3)
+    for (int i = 0; i < times; ++i) wide.rgb.insert(wide.rgb.end(), color, color + 3);
+  return wide;
+}
+
 std::string draw_picture(const ChartPicture& shown, const Frame& frame, const std::string& id) {
   const Box box{frame.at_x(shown.x_low), frame.at_y(shown.y_high), frame.at_x(shown.x_high), frame.at_y(shown.y_low)};
   if (!(std::isfinite(box.width() + box.height()) && box.width() > 0 && box.height() > 0)) return {};
-  const std::string svg = picture(box, shown.columns, shown.rows, shown.rgb);
+  const ChartPicture sharp = sharpened(shown);
+  const std::string svg = picture(box, sharp.columns, sharp.rows, sharp.rgb);
   constexpr double slack = 0.005;  // px
   const bool inside = box.left >= frame.left - slack && box.right <= frame.right + slack &&
                       box.top >= frame.top - slack && box.bottom <= frame.bottom + slack;

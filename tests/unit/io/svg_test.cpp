@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "../../well_formed_xml.h"
 #include "shabon/io/image.h"
 #include "shabon/io/svg_elements.h"
 
@@ -14,35 +15,8 @@ namespace {
 
 using Frame = svg::Box;
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
-// Every tag closed in order, every attribute in quotes, no bare '&' or '<': well-formed XML as far as this writer goes.
-bool is_well_formed(std::string_view xml) {
-  std::vector<std::string> open;
-  for (std::size_t at = 0; (at = xml.find('<', at)) != std::string_view::npos;) {
-    const std::size_t end = xml.find('>', at);
-    if (end == std::string_view::npos) return false;
-    std::string_view tag = xml.substr(at + 1, end - at - 1);
-    at = end;
-    if (tag.find('<') != std::string_view::npos || count(tag, "\"") % 2 != 0) return false;
-    if (tag.front() == '?' || tag.back() == '/') continue;
-    if (tag.front() != '/') {
-      open.emplace_back(tag.substr(0, tag.find(' ')));
-    } else {
-      if (open.empty() || open.back() != tag.substr(1)) return false;
-      open.pop_back();
-    }
-  }
-  for (std::size_t at = 0; (at = xml.find('&', at)) != std::string_view::npos; ++at)
-    if (xml.substr(at, 5) != "&amp;" && xml.substr(at, 4) != "&lt;" && xml.substr(at, 4) != "&gt;" &&
-        xml.substr(at, 6) != "&quot;")
-      return false;
-  return open.empty();
-}
+using test::count;
+using test::is_well_formed;
 
 Chart test_chart() {
   Chart chart;
@@ -144,6 +118,22 @@ std::vector<Rgb8Image> pictures_in(const std::string& svg) {
   return pictures;
 }
 
+// The colours of a row of `count` patches of equal width, each of one colour throughout.
+std::vector<Rgb8> patches(const Rgb8Image& row, int count) {
+  EXPECT_EQ(row.height, 1);
+  EXPECT_EQ(row.width % count, 0);
+  const int wide = row.width / count;
+  EXPECT_GE(row.width, 2000) << "sharp in print";
+  std::vector<Rgb8> colors;
+  for (int x = 0; x < row.width; ++x) {
+    const auto at = static_cast<std::size_t>(3 * x);
+    const Rgb8 color{row.rgb[at], row.rgb[at + 1], row.rgb[at + 2]};
+    if (x % wide == 0) colors.push_back(color);
+    EXPECT_EQ(color, colors.back()) << x;
+  }
+  return colors;
+}
+
 TEST(Svg, DrawsStripsAlone) {
   Chart chart;
   chart.strips.resize(2);
@@ -158,8 +148,8 @@ TEST(Svg, DrawsStripsAlone) {
   EXPECT_TRUE(is_well_formed(svg));
   const std::vector<Rgb8Image> pictures = pictures_in(svg);
   ASSERT_EQ(pictures.size(), 2u);
-  EXPECT_EQ(pictures[0].rgb, (std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255}));
-  EXPECT_EQ(pictures[1].rgb, (std::vector<std::uint8_t>{128, 128, 128}));
+  EXPECT_EQ(patches(pictures[0], 3), (std::vector<Rgb8>{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}}));
+  EXPECT_EQ(patches(pictures[1], 1), (std::vector<Rgb8>{{128, 128, 128}}));
   EXPECT_NE(svg.find(">1000<"), std::string::npos);
   EXPECT_NE(svg.find(">1st order<"), std::string::npos);
   EXPECT_EQ(svg.find(">2nd order<"), std::string::npos) << "wider than its part";

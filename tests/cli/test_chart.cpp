@@ -1,0 +1,361 @@
+// chart: what it draws, the numbers beside the drawing, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "../well_formed_xml.h"
+#include "child.h"
+#include "printed.h"
+#include "shabon/api/resolvers.h"
+#include "shabon/base/text.h"
+#include "shabon/color/illuminant.h"
+#include "shabon/color/xyz.h"
+#include "shabon/desk/film_spectrum.h"
+#include "shabon/io/image.h"
+#include "shabon/optics/stack_expression.h"
+
+namespace shabon::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+// As the help lists them.
+std::vector<std::string> kinds() {
+  const std::string help = run({"chart", "--help"}).out, head = "What to draw: ";
+  const std::size_t begin = help.find(head) + head.size();
+  std::vector<std::string> names;
+  for (const std::string_view name : split(std::string_view(help).substr(begin, help.find('\n', begin) - begin), ','))
+    names.emplace_back(trim(name));
+  return names;
+}
+
+// Small enough to be quick.
+Arguments quick(const std::string& kind) {
+  if (kind == "newton") return {"chart", kind, "--thickness", "0:400nm:10nm", "--width", "600"};
+  if (kind == "angle") return {"chart", kind, "--thickness", "0:400nm:40nm", "--angle", "0:80:20", "--width", "600"};
+  return {"chart", kind, "--retardation", "0:1800nm:10nm", "--width", "600"};
+}
+
+Arguments operator+(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Setting in(const TemporaryFolder& folder) {
+  Setting setting;
+  setting.folder = folder.path();
+  return setting;
+}
+
+std::vector<std::string> texts(const io::CsvTable& table, std::string_view name) {
+  std::vector<std::string> cells;
+  for (const io::CsvRow& row : table.rows) cells.push_back(row.cells[*table.column(name)].text);
+  return cells;
+}
+
+TEST(Chart, EveryKindIsWrittenInEveryForm) {
+  ASSERT_EQ(kinds(), (std::vector<std::string>{"newton", "angle", "michel-levy"}));
+  for (const std::string& kind : kinds()) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run(quick(kind) + Arguments{"-o", "a.png", "-o", "b.SVG", "-o", "c.csv"}, in(folder));
+    EXPECT_EQ(outcome.exit_code, 0) << kind << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"a.png", "b.SVG", "c.csv"})) << kind;
+    const Result<io::Rgb8Image> png = io::read_png(folder.path() / "a.png");
+    ASSERT_TRUE(png) << kind;
+    EXPECT_EQ(png->width, 600);
+    EXPECT_NE(read_all(folder.path() / "a.png").find("sRGB"), std::string::npos);
+    EXPECT_NE(read_all(folder.path() / "a.png").find("pHYs"), std::string::npos);
+    const std::string svg = read_all(folder.path() / "b.SVG");
+    EXPECT_TRUE(is_well_formed(svg)) << kind;
+    EXPECT_NE(svg.find("(nm)"), std::string::npos) << kind;
+    EXPECT_EQ(svg.find("\"nan"), std::string::npos) << kind;
+    EXPECT_TRUE(io::read_csv(folder.path() / "c.csv")) << kind;
+    EXPECT_EQ(read_all(folder.path() / "c.csv"), result_of(quick(kind) + Arguments{"--format", "csv"}));
+    EXPECT_EQ(svg, result_of(quick(kind) + Arguments{"--format", "svg"}));
+  }
+}
+
+TEST(Chart, IsCalledAfterItsKind) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run(quick("newton"), in(folder)).exit_code, 0);
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"newton.png"});
+}
+
+TEST(Chart, SameInputSameBits) {
+  for (const std::string& kind : kinds()) {
+    const Arguments png = quick(kind) + Arguments{"--format", "png"};
+    EXPECT_EQ(result_of(png), result_of(png)) << kind;
+  }
+}
+
+// The rows of newton and angle against the reference.
+void expect_film_colors(const Arguments& arguments, const std::string& stack_head, const std::string& stack_tail) {
+  const io::CsvTable table = table_of(arguments);
+  const auto angle_deg = column(table, "angle_deg"), thickness_nm = column(table, "thickness_nm");
+  const auto X = column(table, "X"), Y = column(table, "Y"), Z = column(table, "Z");
+  const std::vector<std::string> sides = texts(table, "side");
+  ASSERT_GT(X.size(), 10u);
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    const auto stack =
+        optics::parse_stack(stack_head + format_number(thickness_nm[i]) + "nm" + stack_tail, api::medium_resolver());
+    ASSERT_TRUE(stack);
+    const color::Xyz exact = color::reflectance_to_xyz(
+        desk::unpolarised(*stack, optics::Interference::airy, optics::incidence_from(Degrees(angle_deg[i])),
+                          sides[i] == "reflected" ? desk::Side::reflected : desk::Side::transmitted),
+        color::illuminants()[0]);
+    EXPECT_NEAR(X[i], exact.x, 1e-10) << i;
+    EXPECT_NEAR(Y[i], exact.y, 1e-10) << i;
+    EXPECT_NEAR(Z[i], exact.z, 1e-10) << i;
+  }
+}
+
+TEST(Chart, NewtonHoldsTheColoursOfTheReference) {
+  const Arguments csv = {"--format", "csv"};
+  expect_film_colors(Arguments{"chart", "newton", "--thickness", "0:900nm:100nm", "--angle", "0,30,85"} + csv,
+                     "air | water ", " | air");
+  expect_film_colors(Arguments{"chart", "newton", "air | MgF2 100nm | 2.3 0nm | glass", "--layer", "2", "--thickness",
+                               "0:0.4um:100nm", "--side", "both", "--angle", "0:60:30"} +
+                         csv,
+                     "air | MgF2 100nm | 2.3 ", " | glass");
+}
+
+TEST(Chart, AngleHoldsTheColoursOfTheReference) {
+  expect_film_colors({"chart", "angle", "air | SiO2 0nm | Si", "--thickness", "0:400nm:100nm", "--angle", "0:90:15",
+                      "--side", "both", "--format", "csv"},
+                     "air | SiO2 ", " | Si");
+  const io::CsvTable table = table_of(quick("angle") + Arguments{"--format", "csv"});
+  EXPECT_EQ(table.rows.size(), 11u * 5u);
+  const std::vector<std::string> sides = texts(table, "side");
+  EXPECT_EQ(std::set<std::string>(sides.begin(), sides.end()), std::set<std::string>{"reflected"});
+}
+
+// Colours computed by colour-science; the file says how.
+TEST(Chart, MichelLevyAgreesWithAnIndependentProgram) {
+  const Result<io::CsvTable> known = io::read_csv(SHABON_TEST_DATA "/color/michel_levy_d65.csv");
+  ASSERT_TRUE(known);
+  const std::vector<double> at = column(*known, "retardation_nm");
+  const std::string range =
+      format_number(at.front()) + ":" + format_number(at.back()) + ":" + format_number(at[1] - at[0]);
+  const io::CsvTable table = table_of({"chart", "michel-levy", "--retardation", range, "--format", "csv"});
+  EXPECT_EQ(column(table, "retardation_nm"), at);
+  for (const auto& [ours, theirs] : std::map<std::string, std::string>{
+           {"X", "X"}, {"Y", "Y"}, {"Z", "Z"}, {"linear_r", "linDR"}, {"linear_g", "linDG"}, {"linear_b", "linDB"}}) {
+    const std::vector<double> a = column(table, ours), b = column(*known, theirs);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << ours << " " << at[i];
+  }
+  const std::vector<double> order = column(table, "order");
+  for (std::size_t i = 0; i < at.size(); ++i) EXPECT_EQ(order[i], std::floor(at[i] / 550) + 1);
+}
+
+using Pixel = std::tuple<int, int, int>;
+
+Pixel pixel(const io::Rgb8Image& image, int x, int y) {
+  const std::size_t at =
+      3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
+}
+
+Pixel pixel(const std::string& hex) {
+  const auto part = [&](std::size_t at) { return std::stoi(hex.substr(at, 2), nullptr, 16); };
+  return {part(1), part(3), part(5)};
+}
+
+// Some row of pixels shows all colours of the table, unsmoothed and in their order.
+TEST(Chart, ThePictureShowsTheColoursOfTheTable) {
+  for (const Arguments& arguments :
+       {quick("newton") + Arguments{"--side", "reflected"},
+        {"chart", "michel-levy", "--retardation", "0:1800nm:20nm", "--birefringence", "0.3"}}) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run(arguments + Arguments{"-o", "a.png", "-o", "a.csv"}, in(folder)).exit_code, 0);
+    const Result<io::Rgb8Image> png = io::read_png(folder.path() / "a.png");
+    const Result<io::CsvTable> table = io::read_csv(folder.path() / "a.csv");
+    ASSERT_TRUE(png && table);
+    const std::vector<std::string> hex = texts(*table, "hex");
+    std::size_t most = 0;
+    for (int y = 0; y < png->height; ++y) {
+      std::size_t found = 0;
+      for (int x = 0; x < png->width && found < hex.size(); ++x)
+        while (found < hex.size() && pixel(*png, x, y) == pixel(hex[found])) ++found;
+      most = std::max(most, found);
+    }
+    EXPECT_EQ(most, hex.size()) << arguments[1];
+  }
+}
+
+TEST(Chart, ExposureBrightensTheDrawingAlone) {
+  const auto table = [](const std::string& exposure) {
+    return table_of({"chart", "newton", "--thickness", "0:600nm:20nm", "--angle", "0,60", "--side", "reflected",
+                     "--exposure", exposure, "--format", "csv"});
+  };
+  const auto brightest = [](const io::CsvTable& csv) {
+    std::map<double, double> largest;  // by angle
+    const auto angle_deg = column(csv, "angle_deg"), Y = column(csv, "Y"), factor = column(csv, "display_factor");
+    for (std::size_t i = 0; i < Y.size(); ++i)
+      largest[angle_deg[i]] = std::max(largest[angle_deg[i]], Y[i] * factor[i]);
+    return largest;
+  };
+  const io::CsvTable each = table("each"), one = table("one"), plain = table("0"), brighter = table("1.5");
+  EXPECT_NEAR(brightest(each)[0], 1, 1e-12);
+  EXPECT_NEAR(brightest(each)[60], 1, 1e-12);
+  EXPECT_LT(brightest(one)[0], 0.5);
+  EXPECT_NEAR(brightest(one)[60], 1, 1e-12);
+  EXPECT_EQ(column(plain, "display_factor").front(), 1);
+  EXPECT_EQ(column(brighter, "display_factor").front(), std::exp2(1.5));
+  for (const char* name : {"X", "Y", "Z", "linear_r", "linear_g", "linear_b"})
+    EXPECT_EQ(column(each, name), column(plain, name));
+}
+
+// The lamp itself, through a film of no thickness.
+TEST(Chart, AdaptationMakesTheLampWhite) {
+  const auto lamp = [](const std::string& adaptation) {
+    return texts(table_of({"chart", "newton", "--thickness", "0:100nm:100nm", "--side", "transmitted", "--illuminant",
+                           "A", "--exposure", "0", "--gamut", "clip", "--adaptation", adaptation, "--format", "csv"}),
+                 "hex")
+        .front();
+  };
+  EXPECT_EQ(lamp("bradford"), "#ffffff");
+  EXPECT_NE(lamp("none"), "#ffffff");
+}
+
+TEST(Chart, SaysWhatIsDrawn) {
+  const std::string newton = result_of({"chart", "newton", "--thickness", "0:2um:5nm", "--curves", "--format", "svg"});
+  for (const char* part : {"thickness d of the film: water (nm)", "1st order", "2nd order", "3rd order", "9th order",
+                           "air | water d | air", "D65", "reflected at 0", "transmitted at 0", "linear sRGB"})
+    EXPECT_NE(newton.find(part), std::string::npos) << part;
+  const std::string angle = result_of(quick("angle") + Arguments{"--format", "svg"});
+  for (const char* part : {"angle of incidence (degrees)", "thickness d of the film: water (nm)", "reflected light"})
+    EXPECT_NE(angle.find(part), std::string::npos) << part;
+  const std::string levy = result_of({"chart", "michel-levy", "--format", "svg"});
+  for (const char* part : {"retardation (nm)", "thickness (\u00B5m)", "birefringence", ">0.001<", ">0.010<", ">0.050<",
+                           ">0.300<", "thin section, 30 \u00B5m", "1st order", "4th order"})
+    EXPECT_NE(levy.find(part), std::string::npos) << part;
+  const std::string quartz = result_of(quick("michel-levy") + Arguments{"--birefringence", "0.009", "--format", "svg"});
+  EXPECT_NE(quartz.find(">0.009<"), std::string::npos);
+  EXPECT_EQ(quartz.find(">0.010<"), std::string::npos);
+}
+
+// An order is 550 nm of path difference: 550 / (2 n cos) of thickness.
+TEST(Chart, OrdersFollowTheIndexAndTheAngle) {
+  const auto first_end = [](const std::string& index, const std::string& angle) {
+    const std::string svg = result_of({"chart", "newton", "1 | " + index + " 0nm | 1", "--thickness", "0:1000nm:10nm",
+                                       "--angle", angle, "--side", "reflected", "--format", "svg"});
+    // The second upright stroke above the strip is the end of the first order; the plot is 72..976 px wide.
+    std::size_t at = svg.find("<line");
+    std::vector<double> upright;
+    for (; at != std::string::npos && upright.size() < 2; at = svg.find("<line", at + 1)) {
+      double x1 = 0, y1 = 0, x2 = 0;
+      if (std::sscanf(svg.c_str() + at, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\"", &x1, &y1, &x2) == 3 && x1 == x2)
+        upright.push_back(x1);
+    }
+    return upright.size() == 2 ? (upright[1] - 72) / (976 - 72) * 1000 : NAN;
+  };
+  EXPECT_NEAR(first_end("1.5", "0"), 550 / (2 * 1.5), 0.1);
+  EXPECT_NEAR(first_end("2", "0"), 550 / (2 * 2.0), 0.1);
+  EXPECT_NEAR(first_end("1.5", "60"), 550 / (2 * std::sqrt(1.5 * 1.5 - 0.75)), 0.1);
+}
+
+TEST(Chart, SeveralAnglesOfASpectrumStayLegible) {
+  const std::string svg =
+      result_of({"spectrum", "air | 2+0.1i 300nm | air", "--angle", "0,10,20,30,40,50,60,70,80,85", "--format", "svg"});
+  EXPECT_TRUE(is_well_formed(svg));
+  for (const char* part : {"R, reflected", "T, transmitted", "A, absorbed", "s solid, p dashed"})
+    EXPECT_EQ(count(svg, part), 1u) << part;
+  EXPECT_EQ(count(svg, "<path"), 60u);
+  EXPECT_LE(count(svg, "\u00B0<"), 9u) << "entries of the legend";
+}
+
+struct Refused {
+  Arguments arguments;
+  int exit_code;
+  std::string said;
+};
+
+const std::vector<Refused> refused = {
+    {{}, 2, "expected KIND"},
+    {{"newtn"}, 2, "did you mean 'newton'?"},
+    {{"newton", "-o", "x.jpg"}, 2, "--output: expected a file ending in .png, .svg or .csv, got 'x.jpg'"},
+    {{"newton", "-o", "x"}, 2, "--output"},
+    {{"newton", "-o", "x.csv", "-o", "./x.csv"}, 2, "twice"},
+    {{"newton", "-o", "none/x.png"}, 4, "none/x.png"},
+    {{"newton", "-o", "x.csv", "--format", "csv"}, 2, "--format: expected without --output"},
+    {{"newton", "--format", "gif"}, 2, "unknown value 'gif'"},
+    {{"newton", "--dpi", "100", "--width", "500"}, 2, "--width: expected without --dpi"},
+    {{"newton", "--dpi", "1e9"}, 2, "--dpi"},
+    {{"newton", "--width", "1e3"}, 2, "--width"},
+    {{"newton", "--retardation", "0:1um"}, 2, "--retardation: expected with michel-levy only, got it with newton"},
+    {{"michel-levy", "--layer", "1"}, 2, "--layer: expected with newton and angle only"},
+    {{"michel-levy", "--side", "both"}, 2, "--side: expected with newton and angle only"},
+    {{"michel-levy", "air | water 1nm | air"}, 2, "STACK: expected with newton and angle only"},
+    {{"michel-levy", "--retardation", "0:1um:1mm"}, 2, "--retardation: expected at least two values"},
+    {{"michel-levy", "--birefringence", "0"}, 2, "--birefringence: expected a number above 0"},
+    {{"newton", "air | water"}, 2, "STACK: expected a layer"},
+    {{"newton", "air | water 1nm | 1.5 2nm | air"}, 2, "--layer: expected which of the 2 layers"},
+    {{"newton", "--layer", "2"}, 2, "--layer: expected a whole number from 1 to 1, got '2'"},
+    {{"newton", "--layer", "0"}, 2, "--layer"},
+    {{"newton", "--thickness", "5"}, 2, "--thickness: expected A:B or A:B:STEP in nm, got '5'"},
+    {{"newton", "--thickness", "5:5nm"}, 2, "--thickness: expected A:B with A < B"},
+    {{"newton", "--thickness", "0:5furlong"}, 2, "--thickness: expected a number"},
+    {{"newton", "--thickness", "-1:5nm"}, 2, "--thickness: expected a number from 0"},
+    {{"newton", "--thickness", "0:5nm:0"}, 2, "--thickness: expected a number above 0 nm"},
+    {{"newton", "--thickness", "0:1m"}, 2, "--thickness"},
+    {{"newton", "--thickness", "0:1cm:1nm"}, 2, "--thickness: expected at most"},
+    {{"newton", "--angle", "91"}, 2, "--angle: expected a number from 0 to 90 degrees"},
+    {{"newton", "--angle", "0:90:1"}, 2, "--angle: expected at most 24 strips"},
+    {{"angle", "--angle", "0,30"}, 2, "--angle: expected A:B or A:B:STEP"},
+    {{"angle", "--thickness", "0:2000nm:0.1nm", "--angle", "0:90:0.1"}, 2, "at most 1000000 colours"},
+    {{"newton", "--exposure", "bright"}, 2, "--exposure: expected each, one or a number of stops"},
+    {{"newton", "--adaptation", "bradfrod"}, 2, "did you mean 'bradford'?"},
+    {{"newton", "--gamut", "x"}, 2, "--gamut"},
+    {{"newton", "--illuminant", "D56"}, 2, "--illuminant"},
+    {{"newton", "air | watr 0nm | air"}, 3, "did you mean 'water'?"},
+    {{"newton", "air | (MgF2 1nm | 1.5 0nm)^2 | air", "--layer", "1", "--interference", "two-beam"}, 3, "airy"},
+};
+
+TEST(Chart, RefusalsLeaveNothingBehind) {
+  const TemporaryFolder folder;
+  for (const Refused& c : refused) {
+    const Outcome outcome = run(Arguments{"chart"} + c.arguments, in(folder));
+    std::string shown;
+    for (const std::string& argument : c.arguments) shown += " '" + argument + "'";
+    EXPECT_EQ(outcome.exit_code, c.exit_code) << shown << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(c.said), std::string::npos) << shown << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << shown;
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(Chart, DoesNotOverwriteWhatItReads) {
+  const TemporaryFolder folder;
+  const std::string film = "wavelength_nm,n,k\n360,1.5,0\n830,1.49,0\n", lamp = "wavelength_nm,power\n360,1\n830,2\n";
+  folder.write("film.csv", film);
+  folder.write("lamp.csv", lamp);
+  const Arguments arguments = {"chart",        "newton",        "air | file:film.csv 0nm | air",
+                               "--illuminant", "file:lamp.csv", "--thickness",
+                               "0:100nm:10nm"};
+  for (const char* name : {"film.csv", "lamp.csv"}) {
+    const Outcome outcome = run(arguments + Arguments{"-o", name}, in(folder));
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("is an input"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run(arguments + Arguments{"-o", "colours.csv"}, in(folder)).exit_code, 0);
+  EXPECT_EQ(read_all(folder.path() / "film.csv"), film);
+  EXPECT_EQ(read_all(folder.path() / "lamp.csv"), lamp);
+}
+
+TEST(Chart, AFullDiskLeavesNoPartOfAFile) {
+  for (const std::string& kind : kinds()) {
+    const TemporaryFolder folder;
+    Setting setting = in(folder);
+    setting.most_file_bytes = 1000;
+    EXPECT_EQ(run(quick(kind) + Arguments{"-o", "a.png"}, setting).exit_code, 4) << kind;
+    EXPECT_TRUE(folder.files().empty()) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace shabon::test
