@@ -9,7 +9,7 @@ namespace shabon::test {
 namespace {
 
 const std::string film = "air | water 300nm | air";
-const std::vector<std::string> command_names = {"render", "probe", "spectrum", "color", "media", "lamps"};
+const std::vector<std::string> command_names = {"render", "probe", "spectrum", "color", "chart", "media", "lamps"};
 
 struct Case {
   std::vector<std::string> arguments;
