@@ -1,28 +1,13 @@
 // The colours of a film for people.
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "color_report.h"
 #include "shabon/base/text.h"
-#include "streams.h"
+#include "swatch.h"
 
 namespace shabon::app {
 
 namespace {
-
-bool is_set(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
-}
-
-// Escape codes go to terminals only, unless they are asked for (bixense.com/clicolors) or refused (no-color.org).
-bool swatch_wanted() { return !is_set("NO_COLOR") && (is_terminal_output() || is_set("CLICOLOR_FORCE")); }
-
-std::string swatch(color::EncodedRgb colour) {
-  const auto bytes = color::to_bytes(colour);
-  return fmt::format("  \x1b[48;2;{};{};{}m        \x1b[0m", bytes[0], bytes[1], bytes[2]);
-}
 
 std::string row(std::string_view label, double a, double b, double c) {
   return fmt::format("{:<14}{:>11.6f} {:>11.6f} {:>11.6f}\n", label, a, b, c);

@@ -21,6 +21,7 @@ constexpr std::array command_list{
     Command{"spectrum", "Reflectance and transmittance of a film over wavelength and angle", declare_spectrum},
     Command{"color", "The colour of a film under a lamp", declare_color},
     Command{"chart", "Draw charts of film colours and of birefringence", declare_chart},
+    Command{"thickness", "From a colour or a measured spectrum back to the thickness", declare_thickness},
     Command{"compare", "How far common shortcuts are from the exact colour of a film", declare_compare},
     Command{"reference", "Write tables of standard films, to test other programs against", declare_reference},
     Command{"media", "List the media of the library, print and draw their n and k", declare_media},
@@ -38,6 +39,7 @@ constexpr const char* examples = R"(Examples:
 
 std::vector<std::string_view> command_names() {
   std::vector<std::string_view> names;
+  names.reserve(command_list.size());
   for (const Command& command : command_list) names.push_back(command.name);
   return names;
 }

@@ -25,6 +25,7 @@ Action declare_probe(CLI::App& app);
 Action declare_spectrum(CLI::App& app);
 Action declare_color(CLI::App& app);
 Action declare_chart(CLI::App& app);
+Action declare_thickness(CLI::App& app);
 Action declare_compare(CLI::App& app);
 Action declare_reference(CLI::App& app);
 Action declare_media(CLI::App& app);

@@ -63,21 +63,21 @@ std::vector<color::Xyz> colors_at(const ColorQuery& query, const SeenColor& seen
 class Comparison {
  public:
   Comparison(const ColorQuery& query, const SeenColor& seen)
-      : query_(query),
-        white_(query.white.value_or(color::white_point(query.lamp, *query.observer))),
-        told_(color::xyz_to_lab(seen.xyz, white_)),
-        told_y_(seen.xyz.y) {}
+      : seen_(seen),
+        ignore_lightness_(query.ignore_lightness),
+        white_(seen.white.value_or(color::white_point(query.lamp, *query.observer))),
+        told_(color::xyz_to_lab(seen.xyz, white_)) {}
 
   double exposure(color::Xyz xyz) const {
     const double y = adapted(xyz).y;
-    return query_.ignore_lightness && y > darkest ? told_y_ / y : 1;
+    return ignore_lightness_ && y > darkest ? seen_.xyz.y / y : 1;
   }
 
   double difference(color::Xyz xyz) const {
     const double factor = exposure(xyz);
     color::Xyz shown = adapted({xyz.x * factor, xyz.y * factor, xyz.z * factor});
-    if (query_.shown_by)
-      shown = color::linear_srgb_to_xyz(color::map_to_srgb_gamut(color::xyz_to_linear_srgb(shown), *query_.shown_by));
+    if (seen_.shown_by)
+      shown = color::linear_srgb_to_xyz(color::map_to_srgb_gamut(color::xyz_to_linear_srgb(shown), *seen_.shown_by));
     return color::ciede2000(color::xyz_to_lab(shown, white_), told_);
   }
 
@@ -85,15 +85,15 @@ class Comparison {
   static constexpr double darkest = 1e-12;  // no exposure makes more of it
 
   color::Xyz adapted(color::Xyz xyz) const {
-    if (!query_.adaptation) return xyz;
-    const color::Vector3 v = color::multiply(*query_.adaptation, color::Vector3{xyz.x, xyz.y, xyz.z});
+    if (!seen_.adaptation) return xyz;
+    const color::Vector3 v = color::multiply(*seen_.adaptation, color::Vector3{xyz.x, xyz.y, xyz.z});
     return {v[0], v[1], v[2]};
   }
 
-  const ColorQuery& query_;
+  const SeenColor& seen_;
+  bool ignore_lightness_;
   color::Xyz white_;
   color::Lab told_;
-  double told_y_;
 };
 
 Status check(const ColorQuery& query) {

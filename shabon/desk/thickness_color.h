@@ -27,6 +27,10 @@ struct SeenColor {
   color::Xyz xyz;  // the perfect reflector has Y = 1
   optics::Incidence incidence = {};
   Side side = Side::reflected;
+  // How a colour of the film became the one that was told: through this matrix (44), and through a mapping into sRGB.
+  std::optional<color::Matrix3> adaptation = {};
+  std::optional<color::GamutMapping> shown_by = {};
+  std::optional<color::Xyz> white = {};  // of Lab; otherwise the lamp
 };
 
 struct ColorQuery {
@@ -37,12 +41,6 @@ struct ColorQuery {
 
   double uncertainty = 1;         // standard deviation of a colour in each direction, in CIEDE2000
   bool ignore_lightness = false;  // colours of unknown exposure: the film's are brought to the same Y
-
-  // How a colour of the film became the colour that was told: through this matrix (44), and through a mapping into
-  // sRGB.
-  std::optional<color::Matrix3> adaptation = {};
-  std::optional<color::GamutMapping> shown_by = {};
-  std::optional<color::Xyz> white = {};  // of Lab; otherwise the lamp
 };
 
 struct ColorCandidate {

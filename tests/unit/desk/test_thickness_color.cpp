@@ -170,17 +170,18 @@ TEST(ThicknessFromColor, ExposureAndMappingAreUndone) {
     ASSERT_FALSE(color::in_srgb_gamut(shown));
     picture.seen[0].xyz = color::linear_srgb_to_xyz(color::map_to_srgb_gamut(shown, mapping));
     EXPECT_GT(nearest(answer_to(picture), 200), 1e-3);
-    picture.shown_by = mapping;
+    picture.seen[0].shown_by = mapping;
     EXPECT_LT(nearest(answer_to(picture), 200), 1e-3);
   }
 
   // A camera set to the lamp.
   ColorQuery balanced = query_for("air | SiO2 ? | Si", 200, {{}}, "A");
   const color::Xyz white = *color::white_of(color::ColorSpace::sRGB);
-  balanced.adaptation = color::adaptation_matrix(color::white_point(balanced.lamp), white, color::Adaptation::bradford);
+  balanced.seen[0].adaptation =
+      color::adaptation_matrix(color::white_point(balanced.lamp), white, color::Adaptation::bradford);
   const color::Xyz raw = balanced.seen[0].xyz;
-  const color::Vector3 v = color::multiply(*balanced.adaptation, color::Vector3{raw.x, raw.y, raw.z});
-  balanced.seen[0].xyz = {v[0], v[1], v[2]}, balanced.white = white;
+  const color::Vector3 v = color::multiply(*balanced.seen[0].adaptation, color::Vector3{raw.x, raw.y, raw.z});
+  balanced.seen[0].xyz = {v[0], v[1], v[2]}, balanced.seen[0].white = white;
   EXPECT_LT(nearest(answer_to(balanced), 200), 1e-4);
 }
 

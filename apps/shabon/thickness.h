@@ -1,0 +1,62 @@
+// What `shabon thickness` asks and prints: a film with unknown thicknesses, and a colour or a spectrum of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shabon/base/result.h"
+#include "shabon/desk/thickness_color.h"
+#include "shabon/desk/thickness_spectrum.h"
+
+namespace shabon::app {
+
+struct ThicknessCommand {
+  std::string expression;
+  double low_nm = 0, high_nm = 2000;  // of every `?`
+  std::vector<std::string> colors;
+  std::optional<std::string> spectrum_file;
+  std::vector<double> incidence_deg;
+  std::size_t format = 0;
+  long long most = 10;  // rows
+
+  // Of colours.
+  bool transmitted = false, ignore_lightness = false;
+  std::string lamp = "D65";
+  std::size_t observer = 0;
+  std::optional<std::size_t> adaptation, mapping;
+  std::optional<double> uncertainty;
+
+  // Of spectra.
+  std::vector<desk::Quantity> columns;
+  bool percent = false, ignore_scale = false;
+  std::optional<double> noise;
+};
+
+enum class ThicknessFormat { text, json, csv };
+
+// The film of the command and the name of each unknown: its medium, and where that is not enough also its layer.
+struct NamedFilm {
+  desk::UnknownFilm film;
+  std::vector<std::string> names;
+};
+
+// Errors: those of the expression; Failure::usage when nothing in it is unknown.
+Result<NamedFilm> read_unknown_film(const ThicknessCommand& command);
+
+// Asks, reports what there is to say on standard error, and gives what to print.
+Result<std::string> thickness_by_color(const ThicknessCommand& command, ThicknessFormat format);
+Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, ThicknessFormat format);
+
+// A warning for standard error.
+Diagnostic thickness_note(std::string message);
+
+// "One thickness holds 95 % of the probability." and the like, and its word in JSON: one, several or none.
+std::string verdict_sentence(std::size_t in_95_percent);
+std::string_view verdict_word(std::size_t in_95_percent);
+
+// "62.1 %"; "< 0.1 %" and "> 99.9 %" at the ends.
+std::string percent_text(double share);
+
+}  // namespace shabon::app

@@ -1,0 +1,166 @@
+#include "thickness_by_color.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lamp_input.h"
+#include "shabon/color/adaptation.h"
+#include "shabon/desk/film_spectrum.h"
+#include "streams.h"
+
+namespace shabon::app {
+
+namespace {
+
+constexpr std::size_t fewest_listed = 3;
+constexpr double least_weight_listed = 1e-3;
+
+// The angle of each colour.
+Result<std::vector<double>> angles_of(const ThicknessCommand& command) {
+  std::vector<double> angles = command.incidence_deg.empty() ? std::vector<double>{0} : command.incidence_deg;
+  if (angles.size() == 1) angles.resize(command.colors.size(), angles.front());
+  if (angles.size() != command.colors.size())
+    return fail(Failure::usage, fmt::format("--angle: expected one angle, or one for each of the {} colours; got {}",
+                                            command.colors.size(), angles.size()));
+  return angles;
+}
+
+// How the film's colour became the one that was told.
+Status describe(desk::SeenColor& seen, const ToldColor& told, const ThicknessCommand& command, color::Xyz lamp_white) {
+  if (command.adaptation) {
+    const std::optional<color::Xyz> white = color::white_of(told.space);
+    if (!white)
+      return fail(Failure::usage, fmt::format("--adapt: expected a colour space with a white of its own, got {}",
+                                              color::name_of(told.space)));
+    seen.adaptation = color::adaptation_matrix(lamp_white, *white, color::adaptations()[*command.adaptation].method);
+    seen.white = white;
+  }
+  if (command.mapping)
+    seen.shown_by = color::gamut_mappings()[*command.mapping].mapping;
+  else if (told.is_bytes)
+    seen.shown_by = color::GamutMapping::clip;
+  return Done{};
+}
+
+Status read_colors(ColorFindings& findings) {
+  const ThicknessCommand& command = findings.command;
+  const color::Xyz lamp_white = color::white_point(findings.query.lamp, *findings.query.observer);
+  for (std::size_t i = 0; i < command.colors.size(); ++i) {
+    Result<ToldColor> told = told_color(command.colors[i], lamp_white);
+    if (!told) return told.errors();
+    if (command.ignore_lightness && !(told->xyz.y > 0))
+      return fail(Failure::usage, "--ignore-lightness: expected a colour with a luminance above 0, got " + told->text);
+    desk::SeenColor seen{told->xyz, optics::incidence_from(Degrees(findings.incidence_deg[i])),
+                         command.transmitted ? desk::Side::transmitted : desk::Side::reflected};
+    if (const Status described = describe(seen, *told, command, lamp_white); !described) return described;
+    findings.query.seen.push_back(seen);
+    findings.told.push_back(std::move(*told));
+  }
+  return Done{};
+}
+
+// The uncertainty that is assumed unless it is told: 1, or what rounding to bytes leaves open where that is more.
+double usual_uncertainty(const ColorFindings& findings, Diagnostics& notes) {
+  double most = 1;
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    const color::Xyz white =
+        findings.query.seen[i].white.value_or(color::white_point(findings.query.lamp, *findings.query.observer));
+    const double rounding = rounding_difference(findings.told[i], white);
+    if (rounding <= most) continue;
+    most = rounding;
+    notes.push_back(
+        thickness_note(fmt::format("{}: rounding to bytes alone leaves a difference of {:.1f} open; taken as "
+                                   "the uncertainty",
+                                   findings.told[i].text, rounding)));
+  }
+  return most;
+}
+
+void add_notes(const ColorFindings& findings, Diagnostics& notes) {
+  const desk::ColorCandidate& best = findings.answer.candidates.front();
+  for (const ToldColor& told : findings.told)
+    if (told.is_bytes && told.at_the_end)
+      notes.push_back(
+          thickness_note(fmt::format("{}: 0 or 255 may stand for anything beyond; the film's colours are {}", told.text,
+                                     findings.command.mapping ? "mapped into sRGB alike" : "clipped alike")));
+  if (!findings.answer.found && !findings.command.ignore_lightness) {
+    double told = 0, reached = 0;
+    for (std::size_t i = 0; i < findings.told.size(); ++i)
+      told = std::max(told, findings.told[i].xyz.y), reached = std::max(reached, best.xyz[i].y);
+    constexpr double much_brighter = 1.5;
+    if (told > much_brighter * reached)
+      notes.push_back(
+          thickness_note(fmt::format("the colour has Y = {:.3f}, the nearest film {:.3f}; for a photograph or "
+                                     "any picture of unknown exposure use --ignore-lightness",
+                                     told, reached)));
+  }
+  if (findings.answer.found && best.at_end)
+    notes.push_back(thickness_note("the nearest thickness is the end of the range; it may go on beyond it"));
+}
+
+std::size_t count_listed(const ColorFindings& findings) {
+  const auto& candidates = findings.answer.candidates;
+  std::size_t count = 0;
+  while (count < candidates.size() && (count < fewest_listed || candidates[count].difference <= findings.answer.near ||
+                                       (findings.answer.found && candidates[count].weight >= least_weight_listed)))
+    ++count;
+  return std::min(count, static_cast<std::size_t>(findings.command.most));
+}
+
+}  // namespace
+
+Result<std::string> thickness_by_color(const ThicknessCommand& command, ThicknessFormat format) {
+  const Result<std::vector<double>> angles = angles_of(command);
+  if (!angles) return angles.errors();
+  Result<NamedFilm> film = read_unknown_film(command);
+  if (!film) return film.errors();
+  if (film->film.unknowns.size() > 1)
+    return fail(Failure::usage, fmt::format("--color: expected one unknown thickness in STACK, got {}; several need "
+                                            "--spectrum",
+                                            film->film.unknowns.size()));
+  Result<color::Illuminant> lamp = read_lamp(command.lamp);
+  if (!lamp) return lamp.errors();
+
+  ColorFindings findings(command);
+  findings.film = std::move(*film);
+  findings.incidence_deg = *angles;
+  findings.lamp = lamp->name;
+  findings.observer = color::observers()[command.observer].name;
+  findings.query.film = findings.film.film;
+  findings.query.lamp = std::move(*lamp);
+  findings.query.observer = &color::observers()[command.observer];
+  findings.query.ignore_lightness = command.ignore_lightness;
+  if (const Status read = read_colors(findings); !read) return read.errors();
+  Diagnostics notes =
+      desk::range_warnings(findings.film.film.stack, std::vector<double>{color::first_nm, color::last_nm});
+  findings.query.uncertainty = command.uncertainty ? *command.uncertainty : usual_uncertainty(findings, notes);
+
+  Result<desk::ColorAnswer> answer = desk::thickness_from_color(findings.query);
+  if (!answer) return answer.errors();
+  findings.answer = std::move(*answer);
+  findings.listed = count_listed(findings);
+  add_notes(findings, notes);
+  report(notes);
+  switch (format) {
+    case ThicknessFormat::json:
+      return color_findings_json(findings);
+    case ThicknessFormat::csv:
+      return color_findings_csv(findings);
+    case ThicknessFormat::text:
+      break;
+  }
+  return color_findings_text(findings);
+}
+
+color::EncodedRgb shown_color(const ColorFindings& findings, const desk::ColorCandidate& candidate, std::size_t color) {
+  const desk::SeenColor& seen = findings.query.seen[color];
+  const double exposure = candidate.exposure[color];
+  color::Vector3 v{candidate.xyz[color].x * exposure, candidate.xyz[color].y * exposure,
+                   candidate.xyz[color].z * exposure};
+  if (seen.adaptation) v = color::multiply(*seen.adaptation, v);
+  const color::LinearRgb linear = color::xyz_to_linear_srgb({v[0], v[1], v[2]});
+  return color::encode_srgb(color::map_to_srgb_gamut(linear, seen.shown_by.value_or(color::GamutMapping::clip)));
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,131 @@
+#include "thickness_by_spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shabon/api/spectrum_file.h"
+#include "shabon/base/text.h"
+#include "shabon/desk/film_spectrum.h"
+#include "streams.h"
+
+namespace shabon::app {
+
+namespace {
+
+constexpr std::size_t fewest_listed = 3;
+constexpr double least_weight_listed = 1e-3;
+constexpr double widening_worth_telling = 1.2, most_search_fringes = 0.25, most_fringes_between_rows = 0.5;
+constexpr double least_explained = 0.5;
+
+// The share of the spectrum's variation that the film explains; 1 where there is none to explain.
+double explained(const SpectrumFindings& findings) {
+  double sum = 0, squares = 0, count = 0;
+  for (const desk::MeasuredRow& row : findings.query.measured.rows)
+    for (const double share : row.shares) sum += share, squares += share * share, ++count;
+  const double variation = squares / count - sum / count * (sum / count);
+  const double rms = findings.answer.candidates.front().rms;
+  return variation > 0 ? 1 - rms * rms / variation : 1;
+}
+
+void note_search(const SpectrumFindings& findings, Diagnostics& notes) {
+  const desk::SpectrumAnswer& answer = findings.answer;
+  if (answer.search_step_fringes > most_search_fringes)
+    notes.push_back(thickness_note(fmt::format(
+        "the ranges are too wide to search completely: steps of {:.2f} fringes, {} would be sure; narrow them, as in "
+        "'SiO2 100..300nm'",
+        answer.search_step_fringes, format_number(most_search_fringes))));
+  if (answer.fringes_between_rows > most_fringes_between_rows) {
+    double high_nm = 0;
+    for (const desk::Unknown& unknown : findings.film.film.unknowns) high_nm = std::max(high_nm, unknown.high_nm);
+    notes.push_back(thickness_note(
+        fmt::format("the wavelengths are too far apart to follow the fringes of films above {} nm; thicker ones may be "
+                    "mistaken for thinner ones",
+                    format_number(high_nm * most_fringes_between_rows / answer.fringes_between_rows, 3))));
+  }
+}
+
+void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
+  const desk::SpectrumAnswer& answer = findings.answer;
+  const desk::SpectrumCandidate& best = answer.candidates.front();
+  if (answer.noise_exceeded)
+    notes.push_back(thickness_note(fmt::format(
+        "the residuals are {:.1f} times the stated noise: the film is not quite as described; errors and weights "
+        "take the residuals for the noise",
+        answer.noise / *findings.command.noise)));
+  if (answer.widening > widening_worth_telling)
+    notes.push_back(thickness_note(
+        fmt::format("neighbouring residuals are alike, so the film is not quite as described; errors are {:.1f} times "
+                    "those of random noise",
+                    answer.widening)));
+  const double share = explained(findings);
+  if (share < least_explained)
+    notes.push_back(
+        thickness_note(fmt::format("the best film explains {:.0f} % of the spectrum's variation: is it this "
+                                   "film?",
+                                   100 * std::max(share, 0.0))));
+  for (std::size_t j = 0; j < best.thickness_nm.size(); ++j) {
+    const std::string& name = findings.film.names[j];
+    if (!best.standard_error_nm[j])
+      notes.push_back(thickness_note(name + ": this spectrum does not determine its thickness"));
+    else if (best.at_end[j])
+      notes.push_back(thickness_note(name + ": the best thickness is the end of the range; it may go on beyond it"));
+  }
+}
+
+std::size_t count_listed(const SpectrumFindings& findings) {
+  const auto& candidates = findings.answer.candidates;
+  std::size_t count = 0;
+  while (count < candidates.size() && (count < fewest_listed || candidates[count].weight >= least_weight_listed))
+    ++count;
+  return std::min(count, static_cast<std::size_t>(findings.command.most));
+}
+
+Result<double> angle_of(const ThicknessCommand& command) {
+  if (command.incidence_deg.size() > 1)
+    return fail(Failure::usage,
+                fmt::format("--angle: expected one angle for a spectrum, got {}; several go into a column angle_deg",
+                            command.incidence_deg.size()));
+  return command.incidence_deg.empty() ? 0 : command.incidence_deg.front();
+}
+
+}  // namespace
+
+Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, ThicknessFormat format) {
+  const Result<double> incidence_deg = angle_of(command);
+  if (!incidence_deg) return incidence_deg.errors();
+  Result<NamedFilm> film = read_unknown_film(command);
+  if (!film) return film.errors();
+  if (film->film.unknowns.size() > desk::most_unknowns)
+    return fail(Failure::usage, fmt::format("STACK: expected at most {} unknown thicknesses, got {}",
+                                            desk::most_unknowns, film->film.unknowns.size()));
+  Result<desk::MeasuredSpectrum> measured =
+      api::read_spectrum_file(*command.spectrum_file, {command.columns, command.percent, *incidence_deg});
+  if (!measured) return measured.errors();
+
+  SpectrumFindings findings(command);
+  findings.film = std::move(*film);
+  findings.query = {findings.film.film, std::move(*measured), command.noise, command.ignore_scale};
+  std::vector<double> wavelengths_nm;
+  for (const desk::MeasuredRow& row : findings.query.measured.rows) wavelengths_nm.push_back(row.wavelength_nm);
+  Diagnostics notes = desk::range_warnings(findings.film.film.stack, wavelengths_nm);
+  Result<desk::SpectrumAnswer> answer = desk::thickness_from_spectrum(findings.query);
+  if (!answer) return answer.errors();
+  findings.answer = std::move(*answer);
+  findings.listed = count_listed(findings);
+  note_search(findings, notes);
+  note_fit(findings, notes);
+  report(notes);
+  switch (format) {
+    case ThicknessFormat::json:
+      return spectrum_findings_json(findings);
+    case ThicknessFormat::csv:
+      return spectrum_findings_csv(findings);
+    case ThicknessFormat::text:
+      break;
+  }
+  return spectrum_findings_text(findings);
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,157 @@
+// What was found for a colour as text, JSON and CSV.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "json.h"
+#include "shabon/base/text.h"
+#include "shabon/io/csv.h"
+#include "swatch.h"
+#include "thickness_by_color.h"
+
+namespace shabon::app {
+
+namespace {
+
+const char* side_name(const desk::SeenColor& seen) {
+  return seen.side == desk::Side::reflected ? "reflected" : "transmitted";
+}
+
+int order_of(const desk::ColorCandidate& candidate) { return static_cast<int>(std::floor(candidate.order)) + 1; }
+
+std::string heading(const ColorFindings& findings) {
+  const desk::Unknown& unknown = findings.film.film.unknowns.front();
+  std::string text = printable(findings.command.expression) + "\n";
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    const ToldColor& told = findings.told[i];
+    const desk::SeenColor& seen = findings.query.seen[i];
+    const color::Lab lab = color::xyz_to_lab(
+        told.xyz, seen.white.value_or(color::white_point(findings.query.lamp, *findings.query.observer)));
+    text += fmt::format("{} at {} degrees: {}  XYZ {:.4f} {:.4f} {:.4f}  Lab {:.2f} {:.2f} {:.2f}\n", side_name(seen),
+                        format_number(findings.incidence_deg[i]), printable(told.text, 60), told.xyz.x, told.xyz.y,
+                        told.xyz.z, lab.L, lab.a, lab.b);
+  }
+  text += fmt::format("unpolarised, lamp {}, observer {}{}\n", printable(findings.lamp, 60), findings.observer,
+                      findings.command.ignore_lightness ? ", lightness ignored" : "");
+  text += fmt::format("{}: {} to {} nm, all equally likely; uncertainty of the colour {} (CIEDE2000)\n\n",
+                      findings.film.names.front(), format_number(unknown.low_nm), format_number(unknown.high_nm),
+                      format_number(findings.query.uncertainty, 3));
+  return text;
+}
+
+std::string row(const ColorFindings& findings, const desk::ColorCandidate& c) {
+  const bool one = findings.told.size() == 1;
+  std::string text = fmt::format("{:>10.2f}", c.thickness_nm);
+  if (findings.answer.found)
+    text += fmt::format("  {:>9.2f} .. {:<9.2f} {:>8}", c.interval_low_nm, c.interval_high_nm, percent_text(c.weight));
+  text += fmt::format("  {:>7.2f}  {:>5}", c.difference, order_of(c));
+  if (one) text += fmt::format("  {:>7.4f} {:>7.4f} {:>7.4f}", c.xyz[0].x, c.xyz[0].y, c.xyz[0].z);
+  if (one && findings.command.ignore_lightness) text += fmt::format("  {:>8}", format_number(c.exposure[0], 3));
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    const color::EncodedRgb shown = shown_color(findings, c, i);
+    text += "  " + color::to_hex(shown) + (swatch_wanted() ? swatch(shown) : "");
+  }
+  return text + (c.at_end ? "  end of the range\n" : "\n");
+}
+
+std::string table(const ColorFindings& findings) {
+  const bool one = findings.told.size() == 1;
+  std::string text = fmt::format("{:>10}", "nm");
+  if (findings.answer.found) text += fmt::format("  {:^22} {:>8}", "95 % of its weight", "weight");
+  text += fmt::format("  {:>7}  {:>5}", "dE2000", "order");
+  if (one) text += fmt::format("  {:>7} {:>7} {:>7}", "X", "Y", "Z");
+  if (one && findings.command.ignore_lightness) text += fmt::format("  {:>8}", "exposure");
+  text += one ? "  colour\n" : "  colours\n";
+  for (std::size_t i = 0; i < findings.listed; ++i) text += row(findings, findings.answer.candidates[i]);
+  return text;
+}
+
+std::string verdict(const ColorFindings& findings) {
+  const desk::ColorAnswer& answer = findings.answer;
+  const std::size_t left = answer.candidates.size() - findings.listed;
+  std::string text;
+  if (!answer.found)
+    text = fmt::format(
+        "No thickness in the range gives this colour: the nearest differs by {:.2f}, and {:.2f} is too "
+        "much ({}).\n",
+        answer.candidates.front().difference, answer.near,
+        answer.near > desk::noticeable_difference ? "three times the uncertainty" : "noticeable");
+  else
+    text = verdict_sentence(answer.in_95_percent) + "\n";
+  if (left > 0)
+    text += fmt::format("{} more, of difference {:.1f} and above, {} not listed.\n", left,
+                        answer.candidates[findings.listed].difference, left == 1 ? "is" : "are");
+  return text;
+}
+
+std::string candidate_json(const ColorFindings& findings, const desk::ColorCandidate& candidate) {
+  JsonObject json;
+  json.add("thickness_nm", candidate.thickness_nm).add("dE2000", candidate.difference);
+  json.add("order", order_of(candidate)).add("path_orders", candidate.order).add("at_end", candidate.at_end);
+  if (findings.answer.found)
+    json.add("weight", candidate.weight).add("interval_nm", {candidate.interval_low_nm, candidate.interval_high_nm});
+  std::string colors;
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    JsonObject color;
+    const color::Xyz& xyz = candidate.xyz[i];
+    color.add("XYZ", {xyz.x, xyz.y, xyz.z}).add("hex", color::to_hex(shown_color(findings, candidate, i)));
+    color.add("exposure", candidate.exposure[i]).add("dE2000", candidate.differences[i]);
+    colors += (i == 0 ? "" : ", ") + color.line();
+  }
+  return json.add_json("colors", "[" + colors + "]").line();
+}
+
+}  // namespace
+
+std::string color_findings_text(const ColorFindings& findings) {
+  return heading(findings) + table(findings) + "\n" + verdict(findings);
+}
+
+std::string color_findings_json(const ColorFindings& findings) {
+  const desk::Unknown& unknown = findings.film.film.unknowns.front();
+  JsonObject json;
+  json.add("stack", findings.command.expression).add("unknown", findings.film.names.front());
+  json.add("range_nm", {unknown.low_nm, unknown.high_nm});
+  json.add("illuminant", findings.lamp).add("observer", findings.observer);
+  json.add("uncertainty", findings.query.uncertainty).add("ignore_lightness", findings.query.ignore_lightness);
+  std::string colors, candidates;
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    JsonObject color;
+    const color::Xyz& xyz = findings.told[i].xyz;
+    color.add("color", findings.told[i].text).add("angle_deg", findings.incidence_deg[i]);
+    color.add("side", side_name(findings.query.seen[i])).add("XYZ", {xyz.x, xyz.y, xyz.z});
+    colors += (i == 0 ? "" : ", ") + color.line();
+  }
+  for (std::size_t i = 0; i < findings.listed; ++i)
+    candidates += (i == 0 ? "\n    " : ",\n    ") + candidate_json(findings, findings.answer.candidates[i]);
+  json.add_json("colors", "[" + colors + "]");
+  json.add("verdict", findings.answer.found ? verdict_word(findings.answer.in_95_percent) : "none");
+  if (findings.answer.found) json.add("in_95_percent", findings.answer.in_95_percent);
+  json.add("candidates_found", findings.answer.candidates.size());
+  return json.add_json("candidates", "[" + candidates + "\n  ]").text();
+}
+
+std::string color_findings_csv(const ColorFindings& findings) {
+  std::string text = "thickness_nm,low_nm,high_nm,weight,dE2000,order";
+  for (std::size_t i = 0; i < findings.told.size(); ++i) {
+    const std::string suffix = i == 0 ? "" : "_" + std::to_string(i + 1);
+    for (const char* name : {"X", "Y", "Z", "hex"}) text += "," + (name + suffix);
+  }
+  text += "\n";
+  for (std::size_t c = 0; c < findings.listed; ++c) {
+    const desk::ColorCandidate& candidate = findings.answer.candidates[c];
+    text += format_exact(candidate.thickness_nm);
+    for (const double value : {candidate.interval_low_nm, candidate.interval_high_nm, candidate.weight})
+      text += "," + (findings.answer.found ? format_exact(value) : "");
+    text += "," + format_exact(candidate.difference) + "," + std::to_string(order_of(candidate));
+    for (std::size_t i = 0; i < findings.told.size(); ++i) {
+      const color::Xyz& xyz = candidate.xyz[i];
+      for (const double value : {xyz.x, xyz.y, xyz.z}) text += "," + format_exact(value);
+      text += "," + color::to_hex(shown_color(findings, candidate, i));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace shabon::app

@@ -1,0 +1,172 @@
+// What was found for a spectrum as text, JSON and CSV.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "json.h"
+#include "shabon/base/text.h"
+#include "shabon/io/csv.h"
+#include "thickness_by_spectrum.h"
+
+namespace shabon::app {
+
+namespace {
+
+constexpr std::size_t narrowest = 11;  // column of a thickness
+
+struct Extent {
+  double low, high;
+};
+
+template <class Member>
+Extent extent_of(const std::vector<desk::MeasuredRow>& rows, Member member) {
+  Extent extent{rows.front().*member, rows.front().*member};
+  for (const desk::MeasuredRow& row : rows)
+    extent = {std::min(extent.low, row.*member), std::max(extent.high, row.*member)};
+  return extent;
+}
+
+std::string quantity_names(const desk::MeasuredSpectrum& measured) {
+  std::string names;
+  for (const desk::Quantity quantity : measured.quantities)
+    names += (names.empty() ? "" : ", ") + std::string(desk::quantities()[static_cast<std::size_t>(quantity)].name);
+  return names;
+}
+
+std::string from_to(Extent extent) {
+  return extent.low == extent.high ? format_number(extent.low)
+                                   : format_number(extent.low) + " to " + format_number(extent.high);
+}
+
+std::string heading(const SpectrumFindings& findings) {
+  const desk::MeasuredSpectrum& measured = findings.query.measured;
+  std::string text = printable(findings.command.expression) + "\n";
+  text += fmt::format("{}: {} at {} nm, {} degrees; {} rows\n", printable(*findings.command.spectrum_file, 100),
+                      quantity_names(measured), from_to(extent_of(measured.rows, &desk::MeasuredRow::wavelength_nm)),
+                      from_to(extent_of(measured.rows, &desk::MeasuredRow::incidence_deg)), measured.rows.size());
+  for (std::size_t j = 0; j < findings.film.names.size(); ++j) {
+    const desk::Unknown& unknown = findings.film.film.unknowns[j];
+    text += fmt::format("{}: {} to {} nm, all equally likely\n", findings.film.names[j], format_number(unknown.low_nm),
+                        format_number(unknown.high_nm));
+  }
+  const bool stated = findings.command.noise && !findings.answer.noise_exceeded;
+  return text + fmt::format("noise of a share {} ({})\n\n", format_number(findings.answer.noise, 3),
+                            stated ? "stated" : "from the residuals");
+}
+
+// Digits that the error leaves, at most six decimals.
+std::string with_error(double value, std::optional<double> error) {
+  const double digits = error && *error > 0 ? 1 - std::floor(std::log10(*error)) : 2;
+  return fmt::format("{:.{}f}", value, static_cast<int>(std::clamp(digits, 0.0, 6.0)));
+}
+
+std::string error_text(std::optional<double> error) { return error ? format_number(*error, 2) : "?"; }
+
+std::string table(const SpectrumFindings& findings) {
+  const bool scaled = findings.command.ignore_scale;
+  std::string text;
+  std::vector<std::size_t> widths;
+  for (const std::string& name : findings.film.names) {
+    widths.push_back(std::max(narrowest, name.size() + 3));
+    text += fmt::format("  {:>{}}  {:<8}", name + " nm", widths.back(), "+-");
+  }
+  text += fmt::format("  {:>10}{}  {:>8}\n", "rms", scaled ? "     scale" : "", "weight");
+  for (std::size_t i = 0; i < findings.listed; ++i) {
+    const desk::SpectrumCandidate& c = findings.answer.candidates[i];
+    for (std::size_t j = 0; j < widths.size(); ++j)
+      text += fmt::format("  {:>{}}  {:<8}", with_error(c.thickness_nm[j], c.standard_error_nm[j]), widths[j],
+                          error_text(c.standard_error_nm[j]));
+    text += fmt::format("  {:>10}", format_number(c.rms, 4));
+    if (scaled) text += fmt::format("  {:>8}", format_number(c.scale, 4));
+    const bool at_end = std::find(c.at_end.begin(), c.at_end.end(), true) != c.at_end.end();
+    text += fmt::format("  {:>8}{}\n", percent_text(c.weight), at_end ? "  end of the range" : "");
+  }
+  return text;
+}
+
+std::string correlations(const SpectrumFindings& findings) {
+  const desk::SpectrumCandidate& best = findings.answer.candidates.front();
+  if (best.correlation.size() < 2) return "";
+  std::string text = "correlation of the errors of the first\n";
+  for (std::size_t j = 0; j < best.correlation.size(); ++j) {
+    text += fmt::format("  {:<{}}", findings.film.names[j], narrowest);
+    for (const double value : best.correlation[j]) text += fmt::format("  {:>6.3f}", value);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string json_or_null(std::optional<double> value) { return value ? json_number(*value) : "null"; }
+
+std::string candidate_json(const desk::SpectrumCandidate& c) {
+  std::string errors, ends, correlation;
+  for (std::size_t j = 0; j < c.thickness_nm.size(); ++j) {
+    errors += (j == 0 ? "" : ", ") + json_or_null(c.standard_error_nm[j]);
+    ends += std::string(j == 0 ? "" : ", ") + (c.at_end[j] ? "true" : "false");
+  }
+  for (std::size_t j = 0; j < c.correlation.size(); ++j)
+    correlation += (j == 0 ? "" : ", ") + json_numbers(c.correlation[j]);
+  JsonObject json;
+  json.add("thickness_nm", c.thickness_nm).add_json("standard_error_nm", "[" + errors + "]");
+  json.add("rms", c.rms).add("weight", c.weight).add("scale", c.scale).add_json("at_end", "[" + ends + "]");
+  return json.add_json("correlation", "[" + correlation + "]").line();
+}
+
+}  // namespace
+
+std::string spectrum_findings_text(const SpectrumFindings& findings) {
+  std::string text = heading(findings) + table(findings) + "\n" + correlations(findings);
+  text += verdict_sentence(findings.answer.in_95_percent) + "\n";
+  const std::size_t left = findings.answer.candidates.size() - findings.listed;
+  if (left > 0)
+    text += fmt::format("{} more, of rms {} and above, {} not listed.\n", left,
+                        format_number(findings.answer.candidates[findings.listed].rms, 3), left == 1 ? "is" : "are");
+  return text;
+}
+
+std::string spectrum_findings_json(const SpectrumFindings& findings) {
+  const desk::MeasuredSpectrum& measured = findings.query.measured;
+  std::string unknowns, quantities, candidates;
+  for (std::size_t j = 0; j < findings.film.names.size(); ++j) {
+    const desk::Unknown& unknown = findings.film.film.unknowns[j];
+    JsonObject json;
+    json.add("medium", findings.film.names[j]).add("layer", unknown.layers.front() + 1);
+    json.add("range_nm", {unknown.low_nm, unknown.high_nm});
+    unknowns += (j == 0 ? "" : ", ") + json.line();
+  }
+  for (const desk::Quantity quantity : measured.quantities)
+    quantities +=
+        (quantities.empty() ? "" : ", ") + json_string(desk::quantities()[static_cast<std::size_t>(quantity)].name);
+  for (std::size_t i = 0; i < findings.listed; ++i)
+    candidates += (i == 0 ? "\n    " : ",\n    ") + candidate_json(findings.answer.candidates[i]);
+  JsonObject json;
+  json.add("stack", findings.command.expression).add("spectrum", *findings.command.spectrum_file);
+  json.add_json("quantities", "[" + quantities + "]").add("rows", measured.rows.size());
+  json.add_json("unknowns", "[" + unknowns + "]").add("noise", findings.answer.noise);
+  json.add("noise_from", findings.command.noise && !findings.answer.noise_exceeded ? "statement" : "residuals");
+  json.add("widening", findings.answer.widening);
+  json.add("verdict", verdict_word(findings.answer.in_95_percent)).add("in_95_percent", findings.answer.in_95_percent);
+  json.add("candidates_found", findings.answer.candidates.size());
+  return json.add_json("candidates", "[" + candidates + "\n  ]").text();
+}
+
+std::string spectrum_findings_csv(const SpectrumFindings& findings) {
+  std::string text;
+  for (std::size_t j = 0; j < findings.film.names.size(); ++j) {
+    const std::string suffix = j == 0 ? "" : "_" + std::to_string(j + 1);
+    text += "thickness_nm" + suffix + ",standard_error_nm" + suffix + ",";
+  }
+  text += "rms,weight,scale\n";
+  for (std::size_t i = 0; i < findings.listed; ++i) {
+    const desk::SpectrumCandidate& c = findings.answer.candidates[i];
+    for (std::size_t j = 0; j < c.thickness_nm.size(); ++j) {
+      const std::optional<double> error = c.standard_error_nm[j];
+      text += format_exact(c.thickness_nm[j]) + "," + (error ? format_exact(*error) : "") + ",";
+    }
+    text += format_exact(c.rms) + "," + format_exact(c.weight) + "," + format_exact(c.scale) + "\n";
+  }
+  return text;
+}
+
+}  // namespace shabon::app
