@@ -163,6 +163,30 @@ TEST(Shortcuts, GltfIsWhatTheExtensionSays) {
   EXPECT_NEAR(none.b, 0.04, 0.01);
 }
 
+// Values of the extension's shader code, carried over into Python line by line.
+TEST(Shortcuts, GltfIsTheShaderOfTheExtension) {
+  struct Case {
+    double index, cos_i, thickness_nm;
+    color::LinearRgb base, expected;
+  };
+  constexpr Case cases[] = {
+      {1.33, 1, 300, {0, 0, 0}, {0.046257636275858625, 0.076598183229972416, 0.032272901728575262}},
+      {1.5, 0.5, 450, {0.04, 0.04, 0.04}, {0.068014659018890006, 0.063934558996147237, 0.075988610109473123}},
+      {2, 0.8, 120, {0.56, 0.35, 0.2}, {0.36172761095882405, 0.2955873436915421, 0.19512109574711714}},
+      {1.33,
+       0.17364817766693041,
+       900,
+       {0.02, 0.02, 0.02},
+       {0.44448145844544967, 0.36348082695570305, 0.42608169540402768}},
+  };
+  for (const Case& c : cases) {
+    const color::LinearRgb rgb = gltf_iridescence(c.index, c.thickness_nm, c.cos_i, c.base);
+    EXPECT_NEAR(rgb.r, c.expected.r, 1e-13) << c.thickness_nm;
+    EXPECT_NEAR(rgb.g, c.expected.g, 1e-13) << c.thickness_nm;
+    EXPECT_NEAR(rgb.b, c.expected.b, 1e-13) << c.thickness_nm;
+  }
+}
+
 TEST(Shortcuts, GltfIsNearTheTruthForAFilmOnGlass) {
   const Sweep film = film_of("air | 1.33 1nm | 1.7");
   const Result<Comparison> comparison = compare(film, d65());
