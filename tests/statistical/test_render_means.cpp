@@ -231,7 +231,7 @@ TEST(RenderMeans, do_not_depend_on_the_split_threshold) {
 // Equation (27): where max_depth cuts, films pass R + T straight on. The probe knows no such depth; the oracle does.
 TEST(RenderMeans, where_the_depth_is_reached) {
   Summary summary;
-  for (const char* name : {"single", "dense", "overlapping", "absorbing"}) {
+  for (const char* name : {"single", "dense", "overlapping", "absorbing", "stacks", "absorbing stacks"}) {
     for (const int depth : {1, 3}) {
       scene::SceneDesc scene = pixel_at(name, testing_scenes::light("gradient"), {-0.5, 0.35, 0});
       scene.render.max_depth = depth;

@@ -44,9 +44,11 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, opt
   if (!one_real_layer && interference == optics::Interference::airy) {
     table.kind = FilmKind::stack;
     table.stack = stack_table(film, outside, combs);
+    table.lossless = table.stack->lossless;
     table.varied_layer = film.varied_layer;
   } else if (!one_real_layer) {
     table.kind = FilmKind::general;
+    table.lossless = medium.is_lossless();
     for (const Comb& comb : combs)
       table.n_lanes.push_back({per_wavelength(comb, [&](double nm) { return medium.index(nm).real(); }),
                                per_wavelength(comb, [&](double nm) { return medium.index(nm).imag(); })});
@@ -89,7 +91,7 @@ SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey)
     films.push_back(film_table(film, scene.medium, scene.render.interference, wavelengths));
   if (grey) {
     grey_reflectance = static_cast<float>(*grey);
-    for (FilmTable& film : films) film.kind = FilmKind::grey;
+    for (FilmTable& film : films) film.kind = FilmKind::grey, film.lossless = true;
   }
 }
 

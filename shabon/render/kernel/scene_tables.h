@@ -24,6 +24,7 @@ enum class FilmKind {
 
 struct FilmTable {
   FilmKind kind = FilmKind::constant;
+  bool lossless = true;
   const film::ThicknessModel* thickness = nullptr;
   double n_squared = 1;                                       // constant
   optics::FreeFilmIndices<float> indices{};                   // constant

@@ -188,7 +188,7 @@ void TileTransport::split_in_plane(const EventBlock& block, int lane, bool paper
   });
   const Lanes forth_s = film.T_s * s, forth_p = film.T_p * p;
   // Without loss the rest goes forth. The roulette stays unbiased whatever estimate it uses, but never with 0.
-  const bool lossless = block.film[lane]->kind != FilmKind::general && !paper;
+  const bool lossless = block.film[lane]->lossless && !paper;
   const float forth =
       lossless ? std::max(state.carried - back, least_estimate) : math::sum(forth_s + forth_p) * (1.0f / lane_count);
   follow(block, lane, forth, false, plane, [&](std::size_t child, float scale) {
@@ -222,14 +222,13 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
   ++counts_.cut_paths;
   Row row = now_.row(i);
   if (state.depth == 0 && state.coplanar()) row.q0 = row.q1 = Lanes(0.5f * state.carried);
-  const FilmTable& film = *block.film[lane];
-  const bool lossless = film.kind != FilmKind::general;
+  const bool lossless = block.film[lane]->lossless;
   const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
   const std::int32_t plane = lossless || same_plane ? state.plane : PathState::general_row;
   const std::size_t child = push_child(block, lane, false, plane, state.carried, state.random);
   next_.sx[child] = now_.sx[i], next_.sy[child] = now_.sy[i], next_.sz[child] = now_.sz[i];
   if (!lossless) {
-    const Mueller m = general_mueller(tables_, film, state.comb, block.cos_i[lane], block.thickness_nm[lane]);
+    const Mueller m = event_mueller(tables_, block, lane, state.comb);
     const Lanes kept = m.reflected.a + m.transmitted.a, more_s = m.reflected.b + m.transmitted.b;
     if (same_plane) {
       row.q0 = row.q0 * (kept + more_s), row.q1 = row.q1 * (kept - more_s);
