@@ -75,8 +75,9 @@ std::vector<io::ChartSpan> order_spans(double order_length, double low, double h
   if (high / order_length - first > static_cast<double>(most_orders)) return spans;
   for (std::size_t i = 0; order_length * (first + static_cast<double>(i)) < high; ++i) {
     const double order = first + static_cast<double>(i);
+    const auto number = static_cast<std::size_t>(order) + 1;
     spans.push_back(
-        {order * order_length, (order + 1) * order_length, ordinal(static_cast<std::size_t>(order) + 1) + " order"});
+        {order * order_length, (order + 1) * order_length, ordinal(number) + " order", std::to_string(number)});
   }
   return spans;
 }

@@ -29,7 +29,7 @@ struct ChartSeries {
 // A labelled part of the horizontal axis, such as an order of interference.
 struct ChartSpan {
   double low = 0, high = 1;
-  std::string label;  // left out where it is wider than the part
+  std::string label, short_label = {};  // the first of them that is not wider than the part
 };
 
 // A dashed line across a plot.

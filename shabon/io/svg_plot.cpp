@@ -173,15 +173,17 @@ std::string draw_spans(const std::vector<ChartSpan>& spans, const Frame& frame, 
     if (!(right > left)) continue;
     for (const auto& [x, value] : {std::pair{left, span.low}, std::pair{right, span.high}})
       if (value >= frame.x.low && value <= frame.x.high) svg += line(x, middle_y - 5, x, middle_y + 5, "#333333", 1);
-    const double gap = text_width(span.label, end_text_size) + 2 * rule_pad;
+    const auto room_for = [](const std::string& label) { return text_width(label, end_text_size) + 2 * rule_pad; };
+    const std::string& label = room_for(span.label) > right - left ? span.short_label : span.label;
+    const double gap = room_for(label);
     const double middle = (left + right) / 2;
-    if (gap > right - left || span.label.empty()) {
+    if (gap > right - left || label.empty()) {
       svg += line(left, middle_y, right, middle_y, "#888888", 0.75);
       continue;
     }
     svg += line(left, middle_y, middle - gap / 2, middle_y, "#888888", 0.75);
     svg += line(middle + gap / 2, middle_y, right, middle_y, "#888888", 0.75);
-    svg += text(middle, middle_y + end_text_size * 0.36, span.label, {.size = end_text_size, .anchor = "middle"});
+    svg += text(middle, middle_y + end_text_size * 0.36, label, {.size = end_text_size, .anchor = "middle"});
   }
   return svg;
 }

@@ -140,7 +140,7 @@ TEST(Svg, DrawsStripsAlone) {
   chart.strips[0].label = "Airy";
   chart.strips[0].high = 1000;
   chart.strips[0].colors = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
-  chart.strips[0].spans = {{0, 300, "1st order"}, {300, 310, "2nd order"}};
+  chart.strips[0].spans = {{0, 300, "1st order"}, {300, 310, "2nd order"}, {320, 350, "3rd order", "3"}};
   chart.strips[1].side_label = "60\u00B0";
   chart.strips[1].low = 500, chart.strips[1].high = 1000;
   chart.strips[1].colors = {{128, 128, 128}};
@@ -153,6 +153,8 @@ TEST(Svg, DrawsStripsAlone) {
   EXPECT_NE(svg.find(">1000<"), std::string::npos);
   EXPECT_NE(svg.find(">1st order<"), std::string::npos);
   EXPECT_EQ(svg.find(">2nd order<"), std::string::npos) << "wider than its part";
+  EXPECT_EQ(svg.find(">3rd order<"), std::string::npos) << "wider than its part";
+  EXPECT_NE(svg.find(">3<"), std::string::npos);
 }
 
 TEST(Svg, PutsAPictureWhereTheAxesSay) {
