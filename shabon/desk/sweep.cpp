@@ -23,7 +23,7 @@ Status check(const Sweep& sweep) {
   return check_computable(sweep.stack, sweep.interference);
 }
 
-// Whether (47) holds: one system of waves from the first medium to the last.
+// Whether (45) holds: one system of waves from the first medium to the last.
 bool can_be_cut(const Sweep& sweep) {
   return sweep.interference == optics::Interference::airy && sweep.incidence.cos_i > 0 &&
          std::all_of(sweep.stack.layers.begin(), sweep.stack.layers.end(),

@@ -17,7 +17,7 @@ using P = math::packet<double, lanes>;
 
 P at(const std::vector<double>& row, std::size_t first) { return P::load(&row[first]); }
 
-// Which of the terms of (48) a loop needs: the compiler leaves out the others.
+// Which of the terms of (46) a loop needs: the compiler leaves out the others.
 template <bool Transmitted, bool Lossless, bool Normal>
 struct Form {};
 
@@ -29,7 +29,7 @@ struct Passage {
 template <bool Lossless>
 Passage passage(P half_turns_per_nm, P halvings_per_nm, double thickness_nm) {
   const P half_turns = half_turns_per_nm * thickness_nm;
-  const P f = half_turns - math::round(half_turns);  // a whole half turn changes both signs, and (48) squares them
+  const P f = half_turns - math::round(half_turns);  // a whole half turn changes both signs, and (46) squares them
   Passage result{math::cos_pi_reduced(f), math::sin_pi_reduced(f), P(1.0), P(0.0)};
   if constexpr (!Lossless) {
     result.lost = -math::exp2_minus_1(-(halvings_per_nm * thickness_nm));
@@ -38,7 +38,7 @@ Passage passage(P half_turns_per_nm, P halvings_per_nm, double thickness_nm) {
   return result;
 }
 
-// (48) at N wavelengths.
+// (46) at N wavelengths.
 struct Square {
   P gap, far, cosine, sine;
   Square(const SquareRows& rows, std::size_t first)

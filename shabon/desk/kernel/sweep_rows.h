@@ -1,4 +1,4 @@
-// The thicknesses of a sweep, for many wavelengths at once (48).
+// The thicknesses of a sweep, for many wavelengths at once (46).
 #pragma once
 
 #include <span>

@@ -51,13 +51,13 @@ struct Cut {
   void cross_below(const optics::Crossing& layer) { factor *= optics::cross(below, layer); }
 };
 
-// The four numbers of (48).
+// The four numbers of (46).
 struct Square {
   double gap, far, cosine, sine;
   double size() const { return std::abs(gap) + 2 * far; }  // |X0| + |X1|, but for the sign of gap
 };
 
-// (47) to (49). gap = |X0| - |X1| is formed from what flows through the layer: by subtraction it would lose its digits
+// (45) to (47). gap = |X0| - |X1| is formed from what flows through the layer: by subtraction it would lose its digits
 // at grazing incidence, where both parts of the stack reflect nearly everything.
 Square square_of(const FrontRow& row, Complex u, const optics::TangentialFields& below) {
   const Complex Gu = row.G * u, G_u = below.G / u;

@@ -1,5 +1,5 @@
-// A stack cut at the layer whose thickness is swept (47): what stands above and below it is computed once for each
-// wavelength; what is left for each thickness is real arithmetic (48).
+// A stack cut at the layer whose thickness is swept (45): what stands above and below it is computed once for each
+// wavelength; what is left for each thickness is real arithmetic (46).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace shabon::desk {
 inline constexpr std::size_t sweep_row_multiple = 16;
 
 // |X0 + X1 w|^2 = (gap + far lost)^2 + kept (cosine cos(phi) + sine sin(phi))^2 with w = kept e^(2 i phi) and
-// lost = 1 - kept, for many wavelengths (48).
+// lost = 1 - kept, for many wavelengths (46).
 struct SquareRows {
   std::vector<double> gap, far, cosine, sine;
 };
@@ -34,7 +34,7 @@ struct SweepTable {
   PolarisationRows s, p;
   bool lossless = true;                    // kept = 1 at every wavelength
   bool normal_incidence = false;           // p is s
-  std::vector<std::size_t> near_critical;  // wavelengths that (48) is not fit for; their rows are like the padding
+  std::vector<std::size_t> near_critical;  // wavelengths that (46) is not fit for; their rows are like the padding
 };
 
 // Coherent layers only, layer < stack.layers.size(), cos_i > 0, wavelengths > 0 in vacuum.
