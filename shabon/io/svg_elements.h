@@ -39,7 +39,8 @@ std::string box_attributes(const Box& box);
 std::string rectangle(const Box& box, std::string_view fill, std::string_view more = {});
 std::string outline(const Box& box);
 
-// A picture that fills the box, without smoothing where the viewer can. `rgb` as ChartPicture; empty text when the sizes do not fit.
+// A picture that fills the box, without smoothing where the viewer can. `rgb` as ChartPicture; empty text when the
+// sizes do not fit.
 std::string picture(const Box& box, int columns, int rows, std::span<const std::uint8_t> rgb);
 
 // Whatever `content` draws outside the box is cut off. Some simple viewers lose what is clipped: only where needed.
