@@ -94,7 +94,7 @@ void compare_block(const MuellerBlock<lanes>& block, int i, double s, double p, 
 void see_float(const StackCase& it, const StackTable& table, Errors& errors) {
   constexpr int leaf = math::register_bytes / 4;
   // More layers that are alike round alike, and their errors no longer add up as squares.
-  const bool few = table.layers.size() <= 40;
+  const bool few = table.layers.size() <= 2 * most_layers_in_float;
   for (std::size_t first = 0; first < lanes; first += leaf, ++errors.packets) {
     const auto rough = cross_stack<float, leaf>(table, first, {.cos_i = it.cos_i});
     const auto exact = cross_stack<double, leaf>(table, first, {.cos_i = it.cos_i});
