@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "bench/desk/sweeps.h"
 #include "bench/geometry/next_wall.h"
 #include "bench/machine.h"
 #include "bench/optics/films.h"
@@ -38,6 +39,7 @@ Status run(const Options& options, bench::Report& report) {
   Status done = Done{};
   if (options.wants("optics")) done = bench::bench_films(report, repeat);
   if (done && options.wants("optics")) done = bench::bench_stacks(report, repeat);
+  if (done && options.wants("desk")) done = bench::bench_sweeps(report, repeat);
   if (done && options.wants("render"))
     done = bench::bench_speed(report, options.quick ? quick_rounds : rounds, options.quick ? quick_samples : samples);
   if (done && options.wants("noise")) done = bench::bench_noise(report, !options.quick);
@@ -53,9 +55,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measures Shabon on this machine; about three minutes. Keep the machine free of other work.");
   Options options;
   app.add_flag("--quick", options.quick, "Few repetitions: to see that everything runs");
-  app.add_option("--only", options.only, "Some of: optics, render, noise, geometry")
+  app.add_option("--only", options.only, "Some of: optics, desk, render, noise, geometry")
       ->delimiter(',')
-      ->check(CLI::IsMember({"optics", "render", "noise", "geometry"}));
+      ->check(CLI::IsMember({"optics", "desk", "render", "noise", "geometry"}));
   app.add_option("--json", options.json, "Also writes all figures to this file");
   app.add_option("--update", options.update, "Also puts the report into this page, between its bench marks");
   constexpr int usage = 2;

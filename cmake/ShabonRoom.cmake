@@ -68,10 +68,17 @@ function(shabon_remove_stale_variants folder)
   endforeach()
 endfunction()
 
-# shabon_variants(NAME SOURCES ... ROOMS ... PACKAGES ... OPTIONS ...): the room as shabon_NAME, and one more target
-# shabon_NAME_v3 and so on for each wide level, all with fused a*b+c where the machine has it.
+# shabon_variants(NAME SOURCES ... COMMON ... ROOMS ... PACKAGES ... OPTIONS ...): the room as shabon_NAME, and one more
+# target shabon_NAME_v3 and so on for each wide level, all with fused a*b+c where the machine has it. COMMON sources are
+# compiled once, for any machine, and are the same in all variants.
 function(shabon_variants name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PACKAGES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;COMMON;ROOMS;PACKAGES;OPTIONS" ${ARGN})
+  if(ARG_COMMON)
+    add_library(shabon_${name}_common OBJECT ${ARG_COMMON})
+    target_include_directories(shabon_${name}_common PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(shabon_${name}_common PRIVATE shabon_flags ${ARG_PACKAGES})
+    list(APPEND ARG_SOURCES $<TARGET_OBJECTS:shabon_${name}_common>)
+  endif()
   if(SHABON_SANITIZE)
     set(ARG_OPTIONS "")  # sanitizers are slow enough to compile
   endif()
