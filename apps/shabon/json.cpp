@@ -11,9 +11,7 @@ namespace {
 void append_escaped(std::string& json, const std::string& character) {
   static constexpr char digits[] = "0123456789abcdef";
   const auto byte = static_cast<unsigned char>(character[0]);
-  if (character.size() > 1)
-    json += character;
-  else if (byte >= 0x80)
+  if (character.size() == 1 && byte >= 0x80)
     json += "\xEF\xBF\xBD";
   else if (byte == '"' || byte == '\\')
     (json += '\\') += character;

@@ -42,6 +42,7 @@ struct RenderCommand {
 // Everything that can be known to fail before the first ray.
 Status check_files(const RenderCommand& command, const std::vector<PictureFile>& pictures, const LoadedScene& loaded) {
   std::vector<std::filesystem::path> outputs;
+  outputs.reserve(pictures.size() + 1);
   for (const PictureFile& picture : pictures) outputs.push_back(picture.path);
   if (command.stats) outputs.emplace_back(*command.stats);
   return check_outputs(outputs, loaded.files_read);

@@ -46,6 +46,7 @@ void add_scene_input(CLI::App& app, SceneInput& input) {
          "--size", [&input](const std::string& text) { read_size(input, text); }, "Size of the picture in pixels")
       ->type_name("WxH");
   std::vector<std::string_view> models;
+  models.reserve(std::size(optics::interference_models));
   for (const auto& model : optics::interference_models) models.push_back(model.name);
   const auto read_model = [&input, models](const std::string& text) {
     if (!optics::find_interference(text)) usage_error("--interference", unknown_name("value", text, models));

@@ -64,7 +64,7 @@ std::string wrong_count(const CLI::Option& option) {
 }  // namespace
 
 std::string usage_text(const CLI::App& root, const CLI::App& chosen, const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   if (is<CLI::ValidationError>(error)) return text;  // of usage_error()
   const bool missing = is<CLI::RequiredError>(error);
   // An unknown option may leave a required argument missing: then it is the one to name.

@@ -102,16 +102,16 @@ class Walk {
       return wrong_above("a mapping with keys");
     node_ = &entry_of(*node_, *mapping_, *key);
     mapping_ = key->below;
-    key_ = key;
+    described_ = name;
     expects_index_ = key->is_list;
+    holds_items_ = key->is_list || key->type == type_text(Of<math::Vec3d>{}, {}) ? key->type : "";
     walked_ += (walked_.empty() ? "" : ".") + std::string(name);
     return Done{};
   }
 
   Status take_index(std::size_t index) {
-    const bool list_or_vector = key_ != nullptr && (key_->is_list || key_->type == type_text(Of<math::Vec3d>{}, {}));
-    const bool there = node_->kind != YamlNode::Kind::sequence && node_->kind != YamlNode::Kind::null;
-    if (there && list_or_vector) return wrong_above(key_->type);
+    const bool other_kind = node_->kind != YamlNode::Kind::sequence && node_->kind != YamlNode::Kind::null;
+    if (other_kind && !holds_items_.empty()) return wrong_above(holds_items_);
     if (node_->kind != YamlNode::Kind::sequence)
       return refuse(path_, described() + " is not a list in the file; expected it to be set whole");
     if (index >= node_->items.size())
@@ -119,6 +119,8 @@ class Walk {
                                ", got " + std::to_string(index));
     node_ = &node_->items[index];
     expects_index_ = false;
+    holds_items_.clear();
+    described_ += "[" + std::to_string(index) + "]";
     walked_ += "[" + std::to_string(index) + "]";
     return Done{};
   }
@@ -131,15 +133,16 @@ class Walk {
     return errors;
   }
 
-  std::string described() const { return "'" + std::string(key_->key) + "'"; }  // once a key was taken
+  std::string described() const { return "'" + described_ + "'"; }
 
   std::string_view path_;
   const io::YamlDocument& document_;
   YamlNode* node_;
-  const Mapping* mapping_;    // of the node; null below a plain value
-  const Key* key_ = nullptr;  // the last one taken
+  const Mapping* mapping_;  // of the node; null below a plain value
   bool expects_index_ = false;
-  std::string walked_;  // the path as far as it was followed
+  std::string holds_items_;  // what the node is called when an index may follow, such as "a list"
+  std::string described_;    // the last key with its index
+  std::string walked_;       // the path as far as it was followed
 };
 
 }  // namespace
