@@ -37,18 +37,25 @@ struct Limited {
   std::vector<const CLI::Option*> colors, spectra;
 };
 
-int run_thickness(const ThicknessCommand& command, const Limited& limited) {
-  const auto refuse = [](const std::string& message) { return report(fail(Failure::usage, message)); };
+void check_usage(const ThicknessCommand& command, const Limited& limited) {
   const bool by_color = !command.colors.empty();
-  if (by_color == command.spectrum_file.has_value())
-    return refuse(by_color ? "--color: expected without --spectrum, got both"
-                           : "expected --color or --spectrum, got neither");
+  if (by_color && command.spectrum_file) usage_error("--color", "expected without --spectrum, got both");
+  if (!by_color && !command.spectrum_file) usage_error("--color", "expected this or --spectrum, got neither");
   for (const CLI::Option* option : by_color ? limited.spectra : limited.colors)
     if (option->count() > 0)
-      return refuse(fmt::format("{}: expected with {} only", option->get_name(), by_color ? "--spectrum" : "--color"));
+      usage_error(option->get_name(), fmt::format("expected with {} only", by_color ? "--spectrum" : "--color"));
+  const std::size_t angles = command.incidence_deg.size(), colors = command.colors.size();
+  if (by_color && angles > 1 && angles != colors)
+    usage_error("--angle", fmt::format("expected one angle, or one for each colour ({}); got {}", colors, angles));
+  if (!by_color && angles > 1)
+    usage_error("--angle",
+                fmt::format("expected one angle for a spectrum, got {}; several go into its column angle_deg", angles));
+}
+
+int run_thickness(const ThicknessCommand& command) {
   const ThicknessFormat format = formats[command.format].value;
   const Result<std::string> text =
-      by_color ? thickness_by_color(command, format) : thickness_by_spectrum(command, format);
+      command.spectrum_file ? thickness_by_spectrum(command, format) : thickness_by_color(command, format);
   return text ? print_result(*text) : report(text.errors());
 }
 
@@ -72,9 +79,10 @@ void declare_film(CLI::App& app, ThicknessCommand& command) {
       ->type_name("")
       ->required();
   const auto read = [&command](const std::string& text) {
+    if (split(text, ':').size() != 2)
+      usage_error("--range", fmt::format("expected A:B such as 100:900nm, got '{}'", printable(text, 60)));
     const ChartRange range =
         range_in("--range", text, length_units, {.low = 0, .high = optics::largest_thickness_nm}, 1);
-    if (range.step) usage_error("--range", "expected A:B without a step");
     command.low_nm = range.low, command.high_nm = range.high;
   };
   app.add_option_function<std::string>("--range", read, "Where each ? is looked for, with units [0:2000nm]")
@@ -200,7 +208,8 @@ Action declare_thickness(CLI::App& app) {
   app.add_option_function<std::string>("--most", read_most, "The most thicknesses to list [10]")->type_name("N");
   add_choice(app, "--format", command->format, formats, "Form of the output");
   app.footer(std::string(stack_help) + help_text);
-  return [command, limited] { return run_thickness(*command, *limited); };
+  app.callback([command, limited] { check_usage(*command, *limited); });
+  return [command] { return run_thickness(*command); };
 }
 
 }  // namespace shabon::app

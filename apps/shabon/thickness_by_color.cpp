@@ -16,13 +16,10 @@ namespace {
 constexpr std::size_t fewest_listed = 3;
 constexpr double least_weight_listed = 1e-3;
 
-// The angle of each colour.
-Result<std::vector<double>> angles_of(const ThicknessCommand& command) {
+// The angle of each colour: one for all, or one for each.
+std::vector<double> angles_of(const ThicknessCommand& command) {
   std::vector<double> angles = command.incidence_deg.empty() ? std::vector<double>{0} : command.incidence_deg;
   if (angles.size() == 1) angles.resize(command.colors.size(), angles.front());
-  if (angles.size() != command.colors.size())
-    return fail(Failure::usage, fmt::format("--angle: expected one angle, or one for each of the {} colours; got {}",
-                                            command.colors.size(), angles.size()));
   return angles;
 }
 
@@ -111,8 +108,6 @@ std::size_t count_listed(const ColorFindings& findings) {
 }  // namespace
 
 Result<std::string> thickness_by_color(const ThicknessCommand& command, ThicknessFormat format) {
-  const Result<std::vector<double>> angles = angles_of(command);
-  if (!angles) return angles.errors();
   Result<NamedFilm> film = read_unknown_film(command);
   if (!film) return film.errors();
   if (film->film.unknowns.size() > 1)
@@ -124,7 +119,7 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
 
   ColorFindings findings(command);
   findings.film = std::move(*film);
-  findings.incidence_deg = *angles;
+  findings.incidence_deg = angles_of(command);
   findings.lamp = lamp->name;
   findings.observer = color::observers()[command.observer].name;
   findings.query.film = findings.film.film;

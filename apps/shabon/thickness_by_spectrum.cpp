@@ -82,26 +82,17 @@ std::size_t count_listed(const SpectrumFindings& findings) {
   return std::min(count, static_cast<std::size_t>(findings.command.most));
 }
 
-Result<double> angle_of(const ThicknessCommand& command) {
-  if (command.incidence_deg.size() > 1)
-    return fail(Failure::usage,
-                fmt::format("--angle: expected one angle for a spectrum, got {}; several go into a column angle_deg",
-                            command.incidence_deg.size()));
-  return command.incidence_deg.empty() ? 0 : command.incidence_deg.front();
-}
-
 }  // namespace
 
 Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, ThicknessFormat format) {
-  const Result<double> incidence_deg = angle_of(command);
-  if (!incidence_deg) return incidence_deg.errors();
   Result<NamedFilm> film = read_unknown_film(command);
   if (!film) return film.errors();
   if (film->film.unknowns.size() > desk::most_unknowns)
     return fail(Failure::usage, fmt::format("STACK: expected at most {} unknown thicknesses, got {}",
                                             desk::most_unknowns, film->film.unknowns.size()));
-  Result<desk::MeasuredSpectrum> measured =
-      api::read_spectrum_file(*command.spectrum_file, {command.columns, command.percent, *incidence_deg});
+  Result<desk::MeasuredSpectrum> measured = api::read_spectrum_file(
+      *command.spectrum_file,
+      {command.columns, command.percent, command.incidence_deg.empty() ? 0 : command.incidence_deg.front()});
   if (!measured) return measured.errors();
 
   SpectrumFindings findings(command);

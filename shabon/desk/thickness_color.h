@@ -1,4 +1,4 @@
-// From a colour to the thickness of a film: every thickness in a range that comes near it, and how sure that is (50).
+// From a colour to the thickness of a film: every thickness in a range that comes near it, and how sure that is (48).
 #pragma once
 
 #include <array>
@@ -51,7 +51,7 @@ struct ColorCandidate {
   std::vector<color::Xyz> xyz;      // of the film, as each is seen
   std::vector<double> exposure;     // what brings that to the Y told; 1 unless lightness is ignored
   double order = 0;                 // path difference 2 Re(n cos) thickness / 550 nm of the first colour
-  double weight = 0;                // share of the probability, 0..1 (50)
+  double weight = 0;                // share of the probability, 0..1 (48)
   double interval_low_nm = 0, interval_high_nm = 0;  // 95 % of that
 };
 

@@ -1,4 +1,4 @@
-// Least squares from one start: the nearest thicknesses at which a film reflects or transmits what was measured (52).
+// Least squares from one start: the nearest thicknesses at which a film reflects or transmits what was measured (50).
 #pragma once
 
 #include <span>

@@ -9,7 +9,7 @@ namespace shabon::desk {
 
 struct GridMinima {
   std::vector<SmallVector> starts;  // nm, the lowest first
-  double step_fringes = 0;          // the largest step of the grid, in fringes (51)
+  double step_fringes = 0;          // the largest step of the grid, in fringes (49)
 };
 
 // On a grid of `steps_per_fringe`, or coarser where that would take too long. At most `most_starts`.

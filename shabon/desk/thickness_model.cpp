@@ -152,7 +152,7 @@ void FilmModel::set_thickness(std::size_t unknown, double thickness_nm) {
   }
 }
 
-// (31) and (33) of one polarisation, and with slopes (51).
+// (31) and (33) of one polarisation, and with slopes (49).
 template <bool WithSlopes>
 FilmModel::Shares FilmModel::side_shares(const Row& row, bool is_p) const {
   constexpr Complex i(0, 1);

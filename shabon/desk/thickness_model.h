@@ -1,5 +1,5 @@
 // A film with unknown thicknesses, and what it reflects and transmits at given ones: what an inverse problem asks for
-// again and again, with the slopes that a fit needs (51).
+// again and again, with the slopes that a fit needs (49).
 #pragma once
 
 #include <complex>

@@ -1,4 +1,4 @@
-// One unknown thickness: all minima of a misfit over a range, and how the probability is shared out among them (50).
+// One unknown thickness: all minima of a misfit over a range, and how the probability is shared out among them (48).
 #pragma once
 
 #include <cstddef>

@@ -197,7 +197,7 @@ SpectrumCandidate candidate_of(const Fit& fit, const Problem& problem, double va
   return candidate;
 }
 
-// (53): how much of the probability lies in the minimum, as a logarithm without the common factor. The uniform prior
+// (51): how much of the probability lies in the minimum, as a logarithm without the common factor. The uniform prior
 // has the variance range^2/12; it keeps what the spectrum does not determine within the range.
 double log_weight(const Fit& fit, const Problem& problem, double variance) {
   SmallMatrix information = fit.curvature;

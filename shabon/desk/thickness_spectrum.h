@@ -1,4 +1,4 @@
-// From a measured spectrum to the thicknesses of up to four layers: least squares over the whole range (51)-(53).
+// From a measured spectrum to the thicknesses of up to four layers: least squares over the whole range (49)-(51).
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ struct SpectrumCandidate {
   std::vector<std::vector<double>> correlation;          // of the errors; empty where one is not determined
   double rms = 0;                                        // of computed minus measured
   double scale = 1;                                      // measured over computed, where it is free
-  double weight = 0;                                     // share of the probability, 0..1 (53)
+  double weight = 0;                                     // share of the probability, 0..1 (51)
 };
 
 struct SpectrumAnswer {
