@@ -1,5 +1,6 @@
 #include "scenes.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace shabon::testing_scenes {
@@ -96,6 +97,14 @@ const std::vector<Arrangement>& arrangements() {
       {"cluster", cluster()},
   };
   return list;
+}
+
+bool computable(const Arrangement& arrangement, optics::Interference model) {
+  return model == optics::Interference::airy ||
+         std::none_of(arrangement.bubbles.begin(), arrangement.bubbles.end(), [](const scene::ObjectDesc& object) {
+           const auto* stack = std::get_if<scene::StackFilmDesc>(&std::get<scene::BubbleDesc>(object).film);
+           return stack != nullptr && std::count(stack->stack.begin(), stack->stack.end(), '|') > 2;
+         });
 }
 
 const Arrangement& arrangement(const std::string& name) {

@@ -15,6 +15,9 @@ struct Arrangement {
   bool real_angles = true;  // no film of lower index than the medium
 };
 
+// Whether the model can compute it: `airy` alone knows films of several layers.
+bool computable(const Arrangement& arrangement, optics::Interference model);
+
 const std::vector<Arrangement>& arrangements();
 const Arrangement& arrangement(const std::string& name);
 
