@@ -99,6 +99,20 @@ TEST(Sweep, HoldsOnBothSidesOfTheCriticalAngle) {
     }
 }
 
+// A resonance as narrow as the reflections are strong, where no phase is left to blame: the film of no thickness.
+TEST(Sweep, ALayerOfNoThicknessIsNotThereAtGrazingIncidence) {
+  for (const double angle_deg : {89.99, 89.9999, 89.999999}) {
+    Sweep sweep{stack_of("1 | 1.5 1nm | 1"), 0, {0}, optics::incidence_from(Degrees(angle_deg))};
+    for (const Side side : {Side::reflected, Side::transmitted}) {
+      sweep.side = side;
+      const auto spectra = swept_spectra(sweep, std::vector<double>{400, 700});
+      ASSERT_TRUE(spectra.ok());
+      EXPECT_NEAR(spectra->front()[0], side == Side::reflected ? 0 : 1, 1e-12) << angle_deg;
+      EXPECT_NEAR(spectra->front()[1], side == Side::reflected ? 0 : 1, 1e-12) << angle_deg;
+    }
+  }
+}
+
 TEST(Sweep, HoldsForRandomStacks) {
   Pcg32 random(7);
   for (int i = 0; i < 200; ++i) {
