@@ -57,21 +57,17 @@ Status read_colors(ColorFindings& findings) {
   return Done{};
 }
 
-// The uncertainty that is assumed unless it is told: 1, or what rounding to bytes leaves open where that is more.
-double usual_uncertainty(const ColorFindings& findings, Diagnostics& notes) {
-  double most = 1;
+// Where a colour was rounded to bytes more coarsely than it is said to be known.
+void note_rounding(const ColorFindings& findings, Diagnostics& notes) {
   for (std::size_t i = 0; i < findings.told.size(); ++i) {
     const color::Xyz white =
         findings.query.seen[i].white.value_or(color::white_point(findings.query.lamp, *findings.query.observer));
     const double rounding = rounding_difference(findings.told[i], white);
-    if (rounding <= most) continue;
-    most = rounding;
-    notes.push_back(
-        thickness_note(fmt::format("{}: rounding to bytes alone leaves a difference of {:.1f} open; taken as "
-                                   "the uncertainty",
-                                   findings.told[i].text, rounding)));
+    if (rounding > findings.query.uncertainty)
+      notes.push_back(thickness_note(fmt::format(
+          "{}: rounding to bytes alone leaves a difference of {:.2f} open, more than the stated uncertainty",
+          findings.told[i].text, rounding)));
   }
-  return most;
 }
 
 void add_notes(const ColorFindings& findings, Diagnostics& notes) {
@@ -129,7 +125,8 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
   if (const Status read = read_colors(findings); !read) return read.errors();
   Diagnostics notes =
       desk::range_warnings(findings.film.film.stack, std::vector<double>{color::first_nm, color::last_nm});
-  findings.query.uncertainty = command.uncertainty ? *command.uncertainty : usual_uncertainty(findings, notes);
+  findings.query.uncertainty = command.uncertainty.value_or(findings.query.uncertainty);
+  note_rounding(findings, notes);
 
   Result<desk::ColorAnswer> answer = desk::thickness_from_color(findings.query);
   if (!answer) return answer.errors();

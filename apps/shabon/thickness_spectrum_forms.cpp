@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "json.h"
 #include "shabon/base/text.h"
@@ -15,16 +16,28 @@ namespace {
 
 constexpr std::size_t narrowest = 11;  // column of a thickness
 
-struct Extent {
-  double low, high;
-};
-
-template <class Member>
-Extent extent_of(const std::vector<desk::MeasuredRow>& rows, Member member) {
-  Extent extent{rows.front().*member, rows.front().*member};
+std::string wavelength_range(const std::vector<desk::MeasuredRow>& rows) {
+  double low = rows.front().wavelength_nm, high = low;
   for (const desk::MeasuredRow& row : rows)
-    extent = {std::min(extent.low, row.*member), std::max(extent.high, row.*member)};
-  return extent;
+    low = std::min(low, row.wavelength_nm), high = std::max(high, row.wavelength_nm);
+  return low == high ? format_number(low) : format_number(low) + " to " + format_number(high);
+}
+
+// "0, 30, 60", or where there are many "0 to 70".
+std::string angle_list(const std::vector<desk::MeasuredRow>& rows) {
+  constexpr std::size_t most_listed = 6;
+  std::set<double> angles;
+  for (const desk::MeasuredRow& row : rows) angles.insert(row.incidence_deg);
+  if (angles.size() > most_listed) return format_number(*angles.begin()) + " to " + format_number(*angles.rbegin());
+  std::string text;
+  for (const double angle : angles) text += (text.empty() ? "" : ", ") + format_number(angle);
+  return text;
+}
+
+// What is left of an exact film is rounding.
+std::string rms_text(double rms) {
+  constexpr double rounding = 1e-10;
+  return rms < rounding ? "< 1e-10" : format_number(rms, 4);
 }
 
 std::string quantity_names(const desk::MeasuredSpectrum& measured) {
@@ -34,17 +47,12 @@ std::string quantity_names(const desk::MeasuredSpectrum& measured) {
   return names;
 }
 
-std::string from_to(Extent extent) {
-  return extent.low == extent.high ? format_number(extent.low)
-                                   : format_number(extent.low) + " to " + format_number(extent.high);
-}
-
 std::string heading(const SpectrumFindings& findings) {
   const desk::MeasuredSpectrum& measured = findings.query.measured;
   std::string text = printable(findings.command.expression) + "\n";
   text += fmt::format("{}: {} at {} nm, {} degrees; {} rows\n", printable(*findings.command.spectrum_file, 100),
-                      quantity_names(measured), from_to(extent_of(measured.rows, &desk::MeasuredRow::wavelength_nm)),
-                      from_to(extent_of(measured.rows, &desk::MeasuredRow::incidence_deg)), measured.rows.size());
+                      quantity_names(measured), wavelength_range(measured.rows), angle_list(measured.rows),
+                      measured.rows.size());
   for (std::size_t j = 0; j < findings.film.names.size(); ++j) {
     const desk::Unknown& unknown = findings.film.film.unknowns[j];
     text += fmt::format("{}: {} to {} nm, all equally likely\n", findings.film.names[j], format_number(unknown.low_nm),
@@ -77,7 +85,7 @@ std::string table(const SpectrumFindings& findings) {
     for (std::size_t j = 0; j < widths.size(); ++j)
       text += fmt::format("  {:>{}}  {:<8}", with_error(c.thickness_nm[j], c.standard_error_nm[j]), widths[j],
                           error_text(c.standard_error_nm[j]));
-    text += fmt::format("  {:>10}", format_number(c.rms, 4));
+    text += fmt::format("  {:>10}", rms_text(c.rms));
     if (scaled) text += fmt::format("  {:>8}", format_number(c.scale, 4));
     const bool at_end = std::find(c.at_end.begin(), c.at_end.end(), true) != c.at_end.end();
     text += fmt::format("  {:>8}{}\n", percent_text(c.weight), at_end ? "  end of the range" : "");

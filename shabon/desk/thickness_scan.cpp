@@ -108,9 +108,12 @@ void weigh(Valley& v, const std::vector<double>& at, const double* misfits, doub
     if (next == 0 || !(sums[next] > sums[next - 1])) return at[std::min(next, at.size() - 1)];
     return at[next - 1] + (at[next] - at[next - 1]) * (sum - sums[next - 1]) / (sums[next] - sums[next - 1]);
   };
-  constexpr double tail = (1 - credible_share) / 2;
-  v.minimum.interval_low_nm = sums.back() > 0 ? place(tail) : v.minimum.thickness_nm;
-  v.minimum.interval_high_nm = sums.back() > 0 ? place(1 - tail) : v.minimum.thickness_nm;
+  // At an end of the range all that is left out lies on the other side.
+  const bool at_low = v.minimum.thickness_nm <= at.front(), at_high = v.minimum.thickness_nm >= at.back();
+  const double tail = at_low || at_high ? 1 - credible_share : (1 - credible_share) / 2;
+  if (!(sums.back() > 0)) return void(v.minimum.interval_low_nm = v.minimum.interval_high_nm = v.minimum.thickness_nm);
+  v.minimum.interval_low_nm = at_low ? at.front() : place(tail);
+  v.minimum.interval_high_nm = at_high ? at.back() : place(1 - tail);
 }
 
 void weigh_all(std::vector<Valley>& valleys, const Misfit& misfit) {

@@ -21,7 +21,7 @@ struct ScanMinimum {
   double misfit = 0;
   bool at_end = false;                               // of the range
   double weight = 0;                                 // share of the probability of its valley, 0..1
-  double interval_low_nm = 0, interval_high_nm = 0;  // holds 95 % of that share, 2.5 % lie below it
+  double interval_low_nm = 0, interval_high_nm = 0;  // 95 % of that share, as much on each side outside
 };
 
 inline constexpr double credible_share = 0.95;

@@ -1,0 +1,233 @@
+// shabon thickness: what it finds, prints and refuses, and that its page shows what it prints.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "child.h"
+#include "printed.h"
+#include "shabon/base/text.h"
+
+namespace shabon::test {
+namespace {
+
+const std::string oxide = "air | SiO2 ? | Si";
+const std::string soap = "air | water ? | air";
+
+std::string hex_of(const std::string& stack, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments = {"color", stack, "--format", "json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return io::find(json_of(arguments).root, "hex")->text;
+}
+
+Setting in_folder(const TemporaryFolder& folder) {
+  Setting setting;
+  setting.folder = folder.path();
+  setting.environment = {{"NO_COLOR", "1"}};
+  return setting;
+}
+
+// The JSON of a question that must be answered, whatever is said beside it.
+io::YamlDocument answer(std::vector<std::string> arguments, const std::filesystem::path& folder = {}) {
+  arguments.insert(arguments.begin(), "thickness");
+  arguments.insert(arguments.end(), {"--format", "json"});
+  Setting setting;
+  setting.folder = folder;
+  const Outcome outcome = run(arguments, setting);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  auto json = io::parse_yaml(outcome.out, "answer");
+  EXPECT_TRUE(json.ok()) << outcome.out;
+  return json ? std::move(*json) : io::YamlDocument{};
+}
+
+const io::YamlNode& candidate(const io::YamlDocument& json, std::size_t index) {
+  return io::find(json.root, "candidates")->items.at(index);
+}
+
+double number(const io::YamlNode& node, std::string_view key) { return *parse_number(io::find(node, key)->text); }
+
+TEST(Thickness, FindsTheFilmOfAColour) {
+  const std::vector<std::string> lamp = {"--illuminant", "A", "--angle", "30"};
+  std::vector<std::string> arguments = {oxide, "--color", hex_of("air | SiO2 285nm | Si", lamp)};
+  arguments.insert(arguments.end(), lamp.begin(), lamp.end());
+  const io::YamlDocument json = answer(arguments);
+  EXPECT_EQ(io::find(json.root, "verdict")->text, "one");
+  EXPECT_NEAR(number(candidate(json, 0), "thickness_nm"), 285, 1);
+  EXPECT_LT(number(candidate(json, 0), "dE2000"), 0.5);
+  EXPECT_EQ(number(candidate(json, 0), "order"), 2);
+}
+
+TEST(Thickness, ReadsColoursInEverySpace) {
+  // Display P3 and the like by what `color` prints of the same film.
+  const io::YamlDocument film = json_of({"color", "air | SiO2 285nm | Si", "--format", "json", "--space",
+                                         "XYZ,xyY,Lab,LCh,Oklab,sRGB,Display P3,Rec.2020,ACEScg"});
+  const io::YamlNode* spaces = io::find(film.root, "spaces");
+  ASSERT_NE(spaces, nullptr);
+  int count = 0;
+  for (const io::YamlEntry& entry : spaces->entries) {
+    const std::vector<double> v = numbers(entry.second, "values");
+    const std::string color =
+        entry.first.text + ":" + format_exact(v[0]) + "," + format_exact(v[1]) + "," + format_exact(v[2]);
+    EXPECT_NEAR(number(candidate(answer({oxide, "--color", color}), 0), "thickness_nm"), 285, 1e-3) << color;
+    ++count;
+  }
+  EXPECT_EQ(count, 9);
+}
+
+TEST(Thickness, SaysWhatIsAmbiguousAndWhatIsNothing) {
+  EXPECT_EQ(io::find(answer({soap, "--color", "Lab:22.3,-10.8,2.1", "--uncertainty", "3"}).root, "verdict")->text,
+            "several");
+  const Outcome none = run({"thickness", soap, "--color", "#c896bb"});
+  EXPECT_EQ(none.exit_code, 0);
+  EXPECT_NE(none.out.find("No thickness in the range gives this colour"), std::string::npos);
+  EXPECT_NE(none.err.find("--ignore-lightness"), std::string::npos);
+  EXPECT_EQ(io::find(answer({soap, "--color", "#c896bb"}).root, "verdict")->text, "none");
+  const Outcome clipped = run({"thickness", soap, "--color", hex_of("air | water 200nm | air")});
+  EXPECT_NE(clipped.err.find("0 or 255 may stand for anything beyond"), std::string::npos) << clipped.err;
+  const Outcome dark = run({"thickness", soap, "--color", "#333333", "--uncertainty", "0.1"});
+  EXPECT_NE(dark.err.find("rounding to bytes alone"), std::string::npos) << dark.err;
+}
+
+TEST(Thickness, FindsTheFilmsOfASpectrum) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", result_of({"spectrum", "air | Si3N4 112nm | SiO2 300nm | Si", "--angle", "0,60"}));
+  const io::YamlDocument json = answer(
+      {"air | Si3N4 0..300nm | SiO2 0..600nm | Si", "--spectrum", "a.csv", "--columns", "R_s,R_p"}, folder.path());
+  const std::vector<double> thickness_nm = numbers(candidate(json, 0), "thickness_nm");
+  ASSERT_EQ(thickness_nm.size(), 2u);
+  EXPECT_NEAR(thickness_nm[0], 112, 1e-3);
+  EXPECT_NEAR(thickness_nm[1], 300, 1e-3);
+  EXPECT_EQ(io::find(json.root, "verdict")->text, "one");
+
+  // In percent, with a wrong calibration.
+  std::string scaled = "wavelength_nm,R (%)\n";
+  const io::CsvTable table = table_of({"spectrum", "air | SiO2 500nm | Si", "--wavelengths", "400:800:5"});
+  const std::vector<double> wavelengths_nm = column(table, "wavelength_nm"), R = column(table, "R_s");
+  for (std::size_t i = 0; i < R.size(); ++i)
+    scaled += format_exact(wavelengths_nm[i]) + "," + format_exact(R[i] * 80) + "\n";
+  folder.write("b.csv", scaled);
+  const io::YamlDocument free = answer({oxide, "--spectrum", "b.csv", "--ignore-scale"}, folder.path());
+  EXPECT_NEAR(numbers(candidate(free, 0), "thickness_nm").at(0), 500, 1e-4);
+  EXPECT_NEAR(number(candidate(free, 0), "scale"), 0.8, 1e-6);
+  const Outcome fixed = run({"thickness", oxide, "--spectrum", "b.csv", "--noise", "0.001"}, in_folder(folder));
+  EXPECT_NE(fixed.err.find("times the stated noise"), std::string::npos) << fixed.err;
+}
+
+TEST(Thickness, FormsHoldTheSameNumbers) {
+  const std::vector<std::string> arguments = {oxide, "--color", "Lab:43.8,25.8,-38.8", "--uncertainty", "5"};
+  std::vector<std::string> csv = arguments;
+  csv.insert(csv.begin(), "thickness"), csv.insert(csv.end(), {"--format", "csv"});
+  const io::CsvTable table = table_of(csv);
+  const io::YamlDocument json = answer(arguments);
+  const std::vector<double> thickness_nm = column(table, "thickness_nm"), weight = column(table, "weight");
+  ASSERT_EQ(thickness_nm.size(), io::find(json.root, "candidates")->items.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < thickness_nm.size(); ++i) {
+    EXPECT_EQ(number(candidate(json, i), "thickness_nm"), thickness_nm[i]);
+    EXPECT_EQ(number(candidate(json, i), "weight"), weight[i]);
+    sum += weight[i];
+  }
+  EXPECT_NEAR(sum, 1, 0.02);
+  csv.insert(csv.end(), {"--most", "2"});
+  EXPECT_EQ(table_of(csv).rows.size(), 2u);
+}
+
+struct Refused {
+  std::vector<std::string> arguments;
+  int exit_code;
+  const char* said;
+};
+
+TEST(Thickness, RefusesWhatItCannotAnswer) {
+  const TemporaryFolder folder;
+  folder.write("r.csv", "wavelength_nm,R\n400,0.3\n500,0.4\n600,0.2\n");
+  folder.write("percent.csv", "wavelength_nm,R\n400,30\n500,40\n");
+  folder.write("one.csv", "wavelength_nm,R\n400,0.3\n");
+  const Refused refused[] = {
+      {{}, 2, "expected STACK"},
+      {{soap}, 2, "--color: expected this or --spectrum, got neither"},
+      {{"air | water 3nm | air", "--color", "#123456"}, 2, "expected ? in place of a thickness"},
+      {{soap, "--color", "#123456", "--spectrum", "r.csv"}, 2, "expected without --spectrum, got both"},
+      {{soap, "--color", "#12345"}, 2, "expected #rrggbb or SPACE:A,B,C"},
+      {{soap, "--color", "#12345g"}, 2, "expected #rrggbb or SPACE:A,B,C"},
+      {{soap, "--color", "purple"}, 2, "expected #rrggbb or SPACE:A,B,C"},
+      {{soap, "--color", "Lob:1,2,3"}, 2, "did you mean 'Lab'?"},
+      {{soap, "--color", "Lab:1,2"}, 2, "expected three numbers"},
+      {{soap, "--color", "Lab:1,2,nan"}, 2, "expected numbers"},
+      {{soap, "--color", "#123456", "--noise", "0.1"}, 2, "--noise: expected with --spectrum only"},
+      {{soap, "--color", "#123456", "--percent"}, 2, "--percent: expected with --spectrum only"},
+      {{soap, "--spectrum", "r.csv", "--illuminant", "A"}, 2, "--illuminant: expected with --color only"},
+      {{soap, "--spectrum", "r.csv", "--ignore-lightness"}, 2, "--ignore-lightness: expected with --color only"},
+      {{soap, "--color", "#123456", "--color", "#123456", "--angle", "1,2,3"}, 2, "one for each colour (2); got 3"},
+      {{soap, "--spectrum", "r.csv", "--angle", "1,2"}, 2, "expected one angle for a spectrum"},
+      {{soap, "--color", "#123456", "--range", "5"}, 2, "expected A:B such as 100:900nm"},
+      {{soap, "--color", "#123456", "--range", "9:5nm"}, 2, "A < B"},
+      {{soap, "--color", "#123456", "--uncertainty", "0"}, 2, "--uncertainty"},
+      {{soap, "--color", "#123456", "--most", "0"}, 2, "--most"},
+      {{soap, "--color", "#000000", "--ignore-lightness"}, 2, "expected a colour with a luminance above 0"},
+      {{soap, "--color", "Lab:50,0,0", "--adapt", "bradford"}, 2, "a white of its own, got Lab"},
+      {{"air | water ? | 1.5 ? | air", "--color", "#123456"}, 2, "several need --spectrum"},
+      {{"air | 1.3 ? | 1.4 ? | 1.5 ? | 1.6 ? | 1.7 ? | air", "--spectrum", "r.csv"}, 2, "at most 4 unknown"},
+      {{soap, "--spectrum", "r.csv", "--columns", "R_x"}, 2, "did you mean 'R_s'?"},
+      {{soap, "--color", "#123456", "--range", "0:9mm"}, 3, "expected a range of at most"},
+      {{"air | watr ? | air", "--color", "#123456"}, 3, "did you mean 'water'?"},
+      {{"air | water 9..3nm | air", "--color", "#123456"}, 3, "a range that rises"},
+      {{soap, "--spectrum", "percent.csv"}, 3, "percent.csv:2:5: error: expected a share"},
+      {{soap, "--spectrum", "one.csv"}, 3, "expected more measured values than unknowns"},
+      {{soap, "--spectrum", "gone.csv"}, 4, "gone.csv: error: cannot read"},
+  };
+  for (const Refused& c : refused) {
+    std::vector<std::string> arguments = c.arguments;
+    arguments.insert(arguments.begin(), "thickness");
+    const Outcome outcome = run(arguments, in_folder(folder));
+    EXPECT_EQ(outcome.exit_code, c.exit_code) << c.said << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(c.said), std::string::npos) << c.said << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << c.said;
+  }
+}
+
+// "a 'b c' d" as a shell takes it apart.
+std::vector<std::string> words(const std::string& line) {
+  std::vector<std::string> all(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '\'')
+      quoted = !quoted;
+    else if (c == ' ' && !quoted)
+      all.emplace_back();
+    else
+      all.back() += c;
+  }
+  return all;
+}
+
+// Every `$ shabon ...` of the page with what stands below it, up to the next or the end of the block.
+TEST(Thickness, ThePageShowsWhatIsPrinted) {
+  const TemporaryFolder folder;
+  std::istringstream page(read_all(std::filesystem::path(SHABON_SOURCE_DIR) / "docs/thickness.md"));
+  std::vector<std::pair<std::string, std::string>> examples;
+  bool is_output = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("```")) is_output = false;
+    if (is_output && !line.starts_with("$ ")) examples.back().second += line + "\n";
+    if (!line.starts_with("$ shabon ")) continue;
+    examples.emplace_back(line.substr(9), "");
+    is_output = true;
+  }
+  ASSERT_GT(examples.size(), 8u);
+  for (const auto& [command, shown] : examples) {
+    std::vector<std::string> arguments = words(command);
+    std::string file;
+    if (arguments.size() > 2 && arguments[arguments.size() - 2] == ">") {
+      file = arguments.back();
+      arguments.resize(arguments.size() - 2);
+    }
+    const Outcome outcome = run(arguments, in_folder(folder));
+    EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
+    if (!file.empty()) folder.write(file, outcome.out);
+    EXPECT_EQ(outcome.err + (file.empty() ? outcome.out : ""), shown) << command;
+  }
+}
+
+}  // namespace
+}  // namespace shabon::test
