@@ -187,6 +187,8 @@ std::string verdict_sentence(std::size_t in_95_percent) {
 
 std::string_view verdict_word(std::size_t in_95_percent) { return in_95_percent == 1 ? "one" : "several"; }
 
+std::string nm_text(double nm) { return fmt::format("{:.10g}", nm); }
+
 std::string percent_text(double share) {
   constexpr double least = 0.001;
   if (share < least) return fmt::format("< {} %", 100 * least);

@@ -56,6 +56,9 @@ Diagnostic thickness_note(std::string message);
 std::string verdict_sentence(std::size_t in_95_percent);
 std::string_view verdict_word(std::size_t in_95_percent);
 
+// A length without an exponent: "100000".
+std::string nm_text(double nm);
+
 // "62.1 %"; "< 0.1 %" and "> 99.9 %" at the ends.
 std::string percent_text(double share);
 

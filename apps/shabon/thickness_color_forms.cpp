@@ -34,7 +34,7 @@ std::string heading(const ColorFindings& findings) {
   text += fmt::format("unpolarised, lamp {}, observer {}{}\n", printable(findings.lamp, 60), findings.observer,
                       findings.command.ignore_lightness ? ", lightness ignored" : "");
   text += fmt::format("{}: {} to {} nm, all equally likely; uncertainty of the colour {} (CIEDE2000)\n\n",
-                      findings.film.names.front(), format_number(unknown.low_nm), format_number(unknown.high_nm),
+                      findings.film.names.front(), nm_text(unknown.low_nm), nm_text(unknown.high_nm),
                       format_number(findings.query.uncertainty, 3));
   return text;
 }

@@ -14,7 +14,7 @@ namespace shabon::app {
 
 namespace {
 
-constexpr std::size_t narrowest = 11;  // column of a thickness
+constexpr std::size_t narrowest = 12;  // column of a thickness
 
 std::string wavelength_range(const std::vector<desk::MeasuredRow>& rows) {
   double low = rows.front().wavelength_nm, high = low;
@@ -55,18 +55,18 @@ std::string heading(const SpectrumFindings& findings) {
                       measured.rows.size());
   for (std::size_t j = 0; j < findings.film.names.size(); ++j) {
     const desk::Unknown& unknown = findings.film.film.unknowns[j];
-    text += fmt::format("{}: {} to {} nm, all equally likely\n", findings.film.names[j], format_number(unknown.low_nm),
-                        format_number(unknown.high_nm));
+    text += fmt::format("{}: {} to {} nm, all equally likely\n", findings.film.names[j], nm_text(unknown.low_nm),
+                        nm_text(unknown.high_nm));
   }
   const bool stated = findings.command.noise && !findings.answer.noise_exceeded;
   return text + fmt::format("noise of a share {} ({})\n\n", format_number(findings.answer.noise, 3),
                             stated ? "stated" : "from the residuals");
 }
 
-// Digits that the error leaves, at most six decimals.
+// Digits that the error leaves, at most four decimals.
 std::string with_error(double value, std::optional<double> error) {
   const double digits = error && *error > 0 ? 1 - std::floor(std::log10(*error)) : 2;
-  return fmt::format("{:.{}f}", value, static_cast<int>(std::clamp(digits, 0.0, 6.0)));
+  return fmt::format("{:.{}f}", value, static_cast<int>(std::clamp(digits, 0.0, 4.0)));
 }
 
 std::string error_text(std::optional<double> error) { return error ? format_number(*error, 2) : "?"; }
@@ -97,12 +97,20 @@ std::string correlations(const SpectrumFindings& findings) {
   const desk::SpectrumCandidate& best = findings.answer.candidates.front();
   if (best.correlation.size() < 2) return "";
   std::string text = "correlation of the errors of the first\n";
+  std::size_t width = 0;
+  for (const std::string& name : findings.film.names) width = std::max(width, name.size());
   for (std::size_t j = 0; j < best.correlation.size(); ++j) {
-    text += fmt::format("  {:<{}}", findings.film.names[j], narrowest);
+    text += fmt::format("  {:<{}}", findings.film.names[j], width);
     for (const double value : best.correlation[j]) text += fmt::format("  {:>6.3f}", value);
     text += "\n";
   }
   return text + "\n";
+}
+
+bool is_determined(const SpectrumFindings& findings) {
+  const auto& errors = findings.answer.candidates.front().standard_error_nm;
+  return std::all_of(errors.begin(), errors.end(),
+                     [](const std::optional<double>& error) { return error.has_value(); });
 }
 
 std::string json_or_null(std::optional<double> value) { return value ? json_number(*value) : "null"; }
@@ -125,7 +133,9 @@ std::string candidate_json(const desk::SpectrumCandidate& c) {
 
 std::string spectrum_findings_text(const SpectrumFindings& findings) {
   std::string text = heading(findings) + table(findings) + "\n" + correlations(findings);
-  text += verdict_sentence(findings.answer.in_95_percent) + "\n";
+  text += is_determined(findings) ? verdict_sentence(findings.answer.in_95_percent)
+                                  : "Undetermined: many thicknesses fit alike, of which one is listed.";
+  text += "\n";
   const std::size_t left = findings.answer.candidates.size() - findings.listed;
   if (left > 0)
     text += fmt::format("{} more, of rms {} and above, {} not listed.\n", left,
@@ -154,7 +164,8 @@ std::string spectrum_findings_json(const SpectrumFindings& findings) {
   json.add_json("unknowns", "[" + unknowns + "]").add("noise", findings.answer.noise);
   json.add("noise_from", findings.command.noise && !findings.answer.noise_exceeded ? "statement" : "residuals");
   json.add("widening", findings.answer.widening);
-  json.add("verdict", verdict_word(findings.answer.in_95_percent)).add("in_95_percent", findings.answer.in_95_percent);
+  json.add("verdict", is_determined(findings) ? verdict_word(findings.answer.in_95_percent) : "undetermined");
+  json.add("in_95_percent", findings.answer.in_95_percent);
   json.add("candidates_found", findings.answer.candidates.size());
   return json.add_json("candidates", "[" + candidates + "\n  ]").text();
 }

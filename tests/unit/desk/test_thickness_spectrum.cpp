@@ -1,6 +1,8 @@
 // From spectra to thicknesses: what was put in comes out, as surely as it is said.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "shabon/desk/film_spectrum.h"
 #include "shabon/desk/thickness_spectrum.h"
 #include "thickness_films.h"
@@ -110,6 +112,130 @@ TEST(ThicknessFromSpectrum, StandardErrorsAreAsStated) {
   ASSERT_GT(rate.all, 300);
   EXPECT_NEAR(static_cast<double>(rate.inside1) / rate.all, 0.683, 0.06);
   EXPECT_NEAR(static_cast<double>(rate.inside2) / rate.all, 0.954, 0.03);
+}
+
+// Few values and much noise: several thicknesses remain, and the weights say how likely each is.
+TEST(ThicknessFromSpectrum, WeightsOfAmbiguousSpectraAreRates) {
+  Pcg32 random(5);
+  const UnknownFilm film = unknown_film("air | water 100..900nm | air");
+  double stated = 0, hits = 0, ambiguous = 0;
+  constexpr int trials = 300;
+  for (int i = 0; i < trials; ++i) {
+    const double truth_nm = random.uniform(100, 900);
+    SpectrumQuery query{film, {}};
+    query.noise = 0.01;
+    query.measured =
+        measured(film, std::vector{truth_nm}, {Quantity::R}, {450, 650, 50, {0}}, 0.01, static_cast<std::uint64_t>(i));
+    const SpectrumAnswer answer = answer_to(query);
+    ambiguous += answer.in_95_percent > 1;
+    const auto heaviest =
+        std::max_element(answer.candidates.begin(), answer.candidates.end(),
+                         [](const SpectrumCandidate& a, const SpectrumCandidate& b) { return a.weight < b.weight; });
+    stated += heaviest->weight;
+    const double off_nm = std::abs(heaviest->thickness_nm[0] - truth_nm);
+    hits += heaviest->standard_error_nm[0] && off_nm < 4 * *heaviest->standard_error_nm[0];
+  }
+  EXPECT_GT(ambiguous, trials / 10);
+  EXPECT_NEAR(hits / trials, stated / trials, 0.08);
+}
+
+// A film described with the wrong index: what is left is no noise, and the errors say so.
+TEST(ThicknessFromSpectrum, ResidualsThatAreAlikeWidenTheErrors) {
+  const UnknownFilm truth = unknown_film("air | 1.47 ? | Si"), believed = unknown_film("air | 1.46 ? | Si");
+  SpectrumQuery query{believed, measured(truth, std::vector{700.0}, {Quantity::R}, {}, 1e-4)};
+  const SpectrumAnswer answer = answer_to(query);
+  EXPECT_GT(answer.widening, 3);
+  const double off_nm = std::abs(answer.candidates.front().thickness_nm[0] - 700 * 1.47 / 1.46);
+  EXPECT_LT(off_nm, 4 * *answer.candidates.front().standard_error_nm[0]);
+  query.noise = 1e-4;
+  EXPECT_TRUE(answer_to(query).noise_exceeded);
+  // Nothing of this where the film is as described.
+  SpectrumQuery right{truth, measured(truth, std::vector{700.0}, {Quantity::R}, {}, 1e-4)};
+  EXPECT_EQ(answer_to(right).widening, 1);
+  right.noise = 1e-4;
+  EXPECT_FALSE(answer_to(right).noise_exceeded);
+  EXPECT_EQ(answer_to(right).noise, 1e-4);
+}
+
+TEST(ThicknessFromSpectrum, SaysWhatASpectrumLeavesOpen) {
+  // Only the sum of two layers of one medium matters; below an opaque layer nothing does.
+  for (const auto& [expression, thickness_nm] :
+       {std::pair{"air | 1.46 0..400nm | 1.46 0..400nm | Si", std::vector{120.0, 150.0}},
+        std::pair{"air | 1.46 0..400nm | Al 300nm | 1.46 0..400nm | Si", std::vector{120.0, 150.0}}}) {
+    const UnknownFilm film = unknown_film(expression);
+    SpectrumQuery query{film, measured(film, thickness_nm, {Quantity::R})};
+    query.noise = 1e-3;
+    const SpectrumCandidate best = answer_to(query).candidates.front();
+    EXPECT_FALSE(best.standard_error_nm[1]) << expression;
+    EXPECT_TRUE(best.correlation.empty());
+    EXPECT_LT(best.rms, 1e-6) << expression;
+  }
+}
+
+TEST(ThicknessFromSpectrum, TheScaleMayBeUnknown) {
+  const UnknownFilm film = unknown_film("air | Si3N4 0..300nm | SiO2 0..300nm | Si");
+  SpectrumQuery query{film, measured(film, std::vector{80.0, 222.0}, {Quantity::R}, {}, 5e-4)};
+  for (MeasuredRow& row : query.measured.rows) row.shares[0] *= 0.6;
+  EXPECT_GT(answer_to(query).candidates.front().rms, 0.02);
+  query.ignore_scale = true;
+  const SpectrumCandidate best = answer_to(query).candidates.front();
+  EXPECT_NEAR(best.scale, 0.6, 2e-3);
+  EXPECT_NEAR(best.thickness_nm[0], 80, 4 * *best.standard_error_nm[0]);
+  EXPECT_NEAR(best.thickness_nm[1], 222, 4 * *best.standard_error_nm[1]);
+}
+
+TEST(ThicknessFromSpectrum, OrderOfRowsAndThreadsDoNotMatter) {
+  const UnknownFilm film = unknown_film("air | 1.46 0..300nm | 2.1 0..300nm | Si");
+  SpectrumQuery query{
+      film, measured(film, std::vector{80.0, 222.0}, {Quantity::R_s, Quantity::R_p}, {400, 800, 10, {20, 60}}, 1e-3)};
+  const SpectrumAnswer first = answer_to(query), again = answer_to(query);
+  std::reverse(query.measured.rows.begin(), query.measured.rows.end());
+  const SpectrumAnswer reversed = answer_to(query);
+  for (const SpectrumAnswer* other : {&again, &reversed}) {
+    ASSERT_EQ(other->candidates.size(), first.candidates.size());
+    for (std::size_t i = 0; i < first.candidates.size(); ++i) {
+      EXPECT_EQ(other->candidates[i].thickness_nm, first.candidates[i].thickness_nm);
+      EXPECT_EQ(other->candidates[i].weight, first.candidates[i].weight);
+    }
+  }
+}
+
+TEST(ThicknessFromSpectrum, TellsWhatTheSearchCannotPromise) {
+  const UnknownFilm thick = unknown_film("air | 1.5 0..100um | Si");
+  SpectrumQuery query{thick, measured(thick, std::vector{20'000.0}, {Quantity::R}, {400, 800, 5, {0}})};
+  EXPECT_GT(answer_to(query).fringes_between_rows, 0.5);
+  EXPECT_LT(answer_to(query).search_step_fringes, 0.1);
+  const UnknownFilm wide = unknown_film("air | 1.5 0..9um | 2 0..9um | 1.4 0..9um | Si");
+  const double known[] = {1000, 2000, 3000};
+  EXPECT_GT(answer_to({wide, measured(wide, known, {Quantity::R}, {400, 800, 20, {0}})}).search_step_fringes, 0.25);
+}
+
+TEST(ThicknessFromSpectrum, RefusesWhatItCannotAnswer) {
+  const UnknownFilm film = unknown_film("air | water ? | air");
+  const SpectrumQuery good{film, measured(film, std::vector{300.0}, {Quantity::R}, {400, 500, 20, {0}})};
+  const auto message = [](const SpectrumQuery& query) {
+    const auto answer = thickness_from_spectrum(query);
+    return answer ? std::string() : answer.errors().front().message;
+  };
+  EXPECT_EQ(message(good), "");
+  const auto expect = [&](const char* part, const auto& change) {
+    SpectrumQuery bad = good;
+    change(bad);
+    EXPECT_NE(message(bad).find(part), std::string::npos) << message(bad);
+  };
+  expect("more measured values", [](SpectrumQuery& q) { q.measured.rows.resize(1); });
+  expect("more measured values", [](SpectrumQuery& q) { q.measured.rows.resize(2), q.ignore_scale = true; });
+  expect("one measured quantity", [](SpectrumQuery& q) { q.measured.quantities.clear(); });
+  expect("every quantity", [](SpectrumQuery& q) { q.measured.rows[1].shares.clear(); });
+  expect("finite shares", [](SpectrumQuery& q) { q.measured.rows[1].shares[0] = NAN; });
+  expect("wavelengths > 0", [](SpectrumQuery& q) { q.measured.rows[1].wavelength_nm = 0; });
+  expect("angles of 0..90", [](SpectrumQuery& q) { q.measured.rows[1].incidence_deg = 91; });
+  expect("noise > 0", [](SpectrumQuery& q) { q.noise = 0; });
+  expect("unknown thickness", [](SpectrumQuery& q) { q.film.unknowns.clear(); });
+  expect("at most 4", [](SpectrumQuery& q) { q.film.unknowns.resize(5); });
+  expect("no layer 2", [](SpectrumQuery& q) { q.film.unknowns[0].layers = {1}; });
+  expect("two unknown", [](SpectrumQuery& q) { q.film.unknowns.push_back(q.film.unknowns[0]); });
+  expect("that rises", [](SpectrumQuery& q) { q.film.unknowns[0].high_nm = 0; });
 }
 
 }  // namespace
