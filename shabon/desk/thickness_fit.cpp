@@ -21,7 +21,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
 class Descent {
  public:
   Descent(FilmModel& model, const UnknownFilm& film, const FitTarget& target)
-      : model_(model), film_(film), target_(target), size_(film.unknowns.size()) {
+      : model_(model), target_(target), size_(film.unknowns.size()) {
     computed_.resize(model.size());
     slopes_.resize(size_ * model.size());
   }
@@ -59,7 +59,6 @@ class Descent {
   }
 
   FilmModel& model_;
-  const UnknownFilm& film_;
   const FitTarget& target_;
   std::size_t size_;
   std::vector<double> computed_, slopes_;

@@ -184,6 +184,24 @@ TEST(ThicknessFromSpectrum, TheScaleMayBeUnknown) {
   EXPECT_NEAR(best.thickness_nm[1], 222, 4 * *best.standard_error_nm[1]);
 }
 
+// A thin oxide darkens silicon nearly as a smaller scale does: the error must count what the scale could do.
+TEST(ThicknessFromSpectrum, AnUnknownScaleCosts) {
+  const UnknownFilm film = unknown_film("air | SiO2 0..60nm | Si");
+  double inside = 0, error_nm = 0, known_error_nm = 0;
+  constexpr int trials = 200;
+  for (std::uint64_t seed = 0; seed < trials; ++seed) {
+    SpectrumQuery query{film, measured(film, std::vector{30.0}, {Quantity::R}, {500, 800, 10, {0}}, 1e-3, seed)};
+    known_error_nm += answer_to(query).candidates.front().standard_error_nm[0].value_or(60) / trials;
+    query.ignore_scale = true;
+    const SpectrumCandidate best = answer_to(query).candidates.front();
+    ASSERT_TRUE(best.standard_error_nm[0]);
+    error_nm += *best.standard_error_nm[0] / trials;
+    inside += std::abs(best.thickness_nm[0] - 30) < *best.standard_error_nm[0];
+  }
+  EXPECT_GT(error_nm, 1.5 * known_error_nm);
+  EXPECT_NEAR(inside / trials, 0.683, 0.1);
+}
+
 TEST(ThicknessFromSpectrum, OrderOfRowsAndThreadsDoNotMatter) {
   const UnknownFilm film = unknown_film("air | 1.46 0..300nm | 2.1 0..300nm | Si");
   SpectrumQuery query{
