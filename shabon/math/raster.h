@@ -12,9 +12,9 @@ struct Raster {
   std::vector<float> values;  // rows from top to bottom, the channels of a texel side by side
 
   const float* texel(int column, int row) const {
-    return values.data() + static_cast<std::size_t>(channels) *
-                               (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                static_cast<std::size_t>(column));
+    return values.data() +
+           static_cast<std::size_t>(channels) *
+               (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
   }
 };
 
