@@ -1,7 +1,6 @@
 #include "shabon/geometry/coincidence.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace shabon::geometry {
@@ -16,22 +15,35 @@ constexpr int ellipse_directions = 720;
 double size_of(const PlacedShape& s) { return math::length(s.box.high - s.box.low); }
 
 // ---- Flat shapes: convex but for a disk's hole. Two of them are apart where a line of their plane parts them; for
-// polygons one of their edges does, for ellipses some direction does.
+// polygons one of their edges does, for ellipses one of many tangents.
+
+// Points, in order, whose hull is the canonical shape, or nearly so.
+std::vector<Vec3d> hull(const Triangle&) { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}; }
+std::vector<Vec3d> hull(const Quad&) { return {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}; }
+std::vector<Vec3d> hull(const Disk&) {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < ellipse_directions; ++i) {
+    const auto [c, s] = turn_by(360.0 * i / ellipse_directions);
+    points.push_back({c, s, 0});
+  }
+  return points;
+}
+template <class Curved>
+requires(!Curved::flat) std::vector<Vec3d> hull(const Curved&) { return {}; }
+
+std::vector<Vec3d> hull_of(const PlacedShape& placed) {
+  std::vector<Vec3d> points = std::visit([](const auto& s) { return hull(s); }, placed.shape);
+  for (Vec3d& p : points) p = apply_point(placed.to_world, p);
+  return points;
+}
 
 // The normals, in the plane and of unit length, of the lines that may part this shape from another.
 void add_parting_directions(std::vector<Vec3d>& directions, const PlacedShape& placed, Vec3d plane_normal) {
-  const Affine& map = placed.to_world;
-  const auto across = [&](Vec3d edge) { directions.push_back(math::normalize(cross(plane_normal, edge))); };
-  if (std::holds_alternative<Disk>(placed.shape)) {
-    const Vec3d a = math::normalize(map.x), b = cross(plane_normal, a);
-    for (int i = 0; i < ellipse_directions; ++i) {
-      const auto [c, s] = turn_by(360.0 * i / ellipse_directions);
-      directions.push_back(a * c + b * s);
-    }
-    return;
+  const std::vector<Vec3d> corners = hull_of(placed);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d edge = corners[(i + 1) % corners.size()] - corners[i];
+    directions.push_back(math::normalize(cross(plane_normal, edge)));
   }
-  across(map.x), across(map.y);
-  if (std::holds_alternative<Triangle>(placed.shape)) across(map.y - map.x);
 }
 
 struct Reach {
@@ -42,20 +54,6 @@ Reach reach_of(const PlacedShape& placed, Vec3d direction, Vec3d from) {
   const Vec3d g = apply_transposed(placed.to_world, direction);
   const double at = dot(placed.to_world.origin - from, direction);
   return std::visit([&](const auto& s) { return Reach{at - support(s, -g), at + support(s, g)}; }, placed.shape);
-}
-
-// Points whose hull is the shape, or nearly so for an ellipse.
-std::vector<Vec3d> hull_of(const PlacedShape& placed) {
-  std::vector<Vec3d> points;
-  if (std::holds_alternative<Triangle>(placed.shape)) points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  if (std::holds_alternative<Quad>(placed.shape)) points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  if (std::holds_alternative<Disk>(placed.shape))
-    for (int i = 0; i < ellipse_directions; ++i) {
-      const auto [c, s] = turn_by(360.0 * i / ellipse_directions);
-      points.push_back({c, s, 0});
-    }
-  for (Vec3d& p : points) p = apply_point(placed.to_world, p);
-  return points;
 }
 
 bool lies_in_hole(const PlacedShape& placed, const PlacedShape& ring) {
@@ -75,7 +73,8 @@ bool lie_in_one_plane(const PlacedShape& a, const PlacedShape& b, Vec3d normal) 
   return std::max({std::abs(low), std::abs(high)}) <= most || std::max({std::abs(own_low), std::abs(own_high)}) <= most;
 }
 
-bool share_a_piece_of_plane(const PlacedShape& a, const PlacedShape& b) {
+template <class Flat>
+requires(Flat::flat) bool share_a_piece(const Flat&, const PlacedShape& a, const PlacedShape& b) {
   const Vec3d normal = apply_normal(a.to_world, {0, 0, 1});
   if (!lie_in_one_plane(a, b, normal)) return false;
   std::vector<Vec3d> directions;
@@ -100,7 +99,7 @@ Affine seen_from(const PlacedShape& a, const PlacedShape& b) {
 bool is_zero(double x) { return std::abs(x) <= tolerance; }
 bool is_one(double x) { return std::abs(x - 1) <= tolerance; }
 
-bool share_a_piece_of_sphere(const PlacedShape& a, const PlacedShape& b) {
+bool share_a_piece(const SphereCap&, const PlacedShape& a, const PlacedShape& b) {
   const Affine m = seen_from(a, b);
   const bool same_sphere = is_zero(math::length(m.origin)) && is_one(dot(m.x, m.x)) && is_one(dot(m.y, m.y)) &&
                            is_one(dot(m.z, m.z)) && is_zero(dot(m.x, m.y)) && is_zero(dot(m.y, m.z)) &&
@@ -114,7 +113,7 @@ bool share_a_piece_of_sphere(const PlacedShape& a, const PlacedShape& b) {
   return between < angle(a) + angle(b) - tolerance;
 }
 
-bool share_a_piece_of_tube(const PlacedShape& a, const PlacedShape& b) {
+bool share_a_piece(const Cylinder&, const PlacedShape& a, const PlacedShape& b) {
   const Affine m = seen_from(a, b);
   const auto flat_dot = [](Vec3d p, Vec3d q) { return p.x * q.x + p.z * q.z; };
   const bool same_tube = is_zero(m.y.x) && is_zero(m.y.z) && is_zero(m.origin.x) && is_zero(m.origin.z) &&
@@ -126,10 +125,8 @@ bool share_a_piece_of_tube(const PlacedShape& a, const PlacedShape& b) {
 
 bool coincide(const PlacedShape& a, const PlacedShape& b) {
   const auto is_flat = [](const PlacedShape& s) { return std::visit([](const auto& t) { return t.flat; }, s.shape); };
-  if (is_flat(a) && is_flat(b)) return share_a_piece_of_plane(a, b);
-  if (a.shape.index() != b.shape.index()) return false;
-  if (std::holds_alternative<SphereCap>(a.shape)) return share_a_piece_of_sphere(a, b);
-  return share_a_piece_of_tube(a, b);
+  if (a.shape.index() != b.shape.index() && !(is_flat(a) && is_flat(b))) return false;
+  return std::visit([&](const auto& s) { return share_a_piece(s, a, b); }, a.shape);
 }
 
 bool boxes_meet(const PlacedShape& a, const PlacedShape& b) {
