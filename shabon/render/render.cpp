@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "shabon/base/parallel.h"
+#include "shabon/render/kernel/scattering/tile.h"
 #include "shabon/render/kernel/transport.h"
 
 namespace shabon::render {
@@ -45,37 +46,40 @@ class Progress {
 };
 
 // Each thread keeps its arrays from tile to tile; whoever is free takes one.
+template <class Transport, class Tables>
 class Workers {
  public:
-  explicit Workers(const SceneTables& tables) : tables_(tables) {}
-  std::unique_ptr<TileTransport> take() {
+  explicit Workers(const Tables& tables) : tables_(tables) {}
+  std::unique_ptr<Transport> take() {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<TileTransport>(tables_);
+    if (free_.empty()) return std::make_unique<Transport>(tables_);
     auto worker = std::move(free_.back());
     free_.pop_back();
     return worker;
   }
-  void give_back(std::unique_ptr<TileTransport> worker) {
+  void give_back(std::unique_ptr<Transport> worker) {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(worker));
   }
   void count(RenderReport& report) const {
     for (const auto& worker : free_) {
-      report.camera_samples += worker->counts().camera_samples;
-      report.rays += worker->counts().rays;
-      report.film_events += worker->counts().film_events;
-      report.cut_paths += worker->counts().cut_paths;
-      report.dropped_samples += worker->counts().dropped;
+      const TransportCounts counts = worker->counts();
+      report.camera_samples += counts.camera_samples;
+      report.rays += counts.rays;
+      report.film_events += counts.film_events;
+      report.cut_paths += counts.cut_paths;
+      report.dropped_samples += counts.dropped;
     }
   }
 
  private:
-  const SceneTables& tables_;
+  const Tables& tables_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<TileTransport>> free_;
+  std::vector<std::unique_ptr<Transport>> free_;
 };
 
-void render_tile(TileTransport& worker, const Tile& tile, std::uint32_t first, std::uint32_t end, Sensor& sensor) {
+template <class Transport>
+void render_tile(Transport& worker, const Tile& tile, std::uint32_t first, std::uint32_t end, Sensor& sensor) {
   worker.add_samples(tile, first, end);
   std::vector<std::array<double, 3>> xyz;
   worker.take_sums(tile, xyz);
@@ -87,15 +91,11 @@ void render_tile(TileTransport& worker, const Tile& tile, std::uint32_t first, s
   }
 }
 
-}  // namespace
-
-Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& options, Sensor& sensor) {
-  if (sensor.width() != scene.width || sensor.height() != scene.height)
-    return fail(Failure::internal, "expected a sensor of the scene's size");
-  const auto start = Clock::now();
-  const SceneTables tables(scene, options.grey_reflectance);
+template <class Transport, class Tables>
+RenderReport render_with(const Tables& tables, const RenderOptions& options, Sensor& sensor) {
+  const scene::Scene& scene = tables.scene;
   const std::vector<Tile> tiles = tiles_of(scene);
-  Workers workers(tables);
+  Workers<Transport, Tables> workers(tables);
   Progress progress(options.progress, double(tiles.size()) * scene.render.samples);
   const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
   RenderReport report;
@@ -117,6 +117,23 @@ Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& opti
     first = end;
   }
   workers.count(report);
+  return report;
+}
+
+// Only bubbles under lamps at infinity: a kernel of their own follows many of their paths side by side.
+bool only_bubbles(const scene::Scene& scene) {
+  return scene.objects.empty() && scene.render.transport == scene::Transport::tree;
+}
+
+}  // namespace
+
+Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& options, Sensor& sensor) {
+  if (sensor.width() != scene.width || sensor.height() != scene.height)
+    return fail(Failure::internal, "expected a sensor of the scene's size");
+  const auto start = Clock::now();
+  RenderReport report = only_bubbles(scene)
+                            ? render_with<TileTransport>(SceneTables(scene, options.grey_reflectance), options, sensor)
+                            : render_with<ScatteringTile>(ScatteringTables(scene), options, sensor);
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return report;
 }

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "shabon/color/spectrum.h"
 #include "shabon/film/thickness.h"
+#include "shabon/geometry/shape.h"
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
 #include "shabon/optics/medium.h"
 #include "shabon/optics/stack.h"
 #include "shabon/scene/camera.h"
 #include "shabon/scene/environment.h"
+#include "shabon/scene/surface.h"
 
 namespace shabon::scene {
 
@@ -31,10 +34,24 @@ struct Sphere {
   int film_count = 1;
 };
 
+// Anything that is not a bubble.
+struct Object {
+  geometry::PlacedShape shape;
+  int surface = 0;        // Scene::surfaces
+  int place_in_file = 0;  // index into the scene file's objects, for messages
+};
+
+// How the tree of paths is followed.
+enum class Transport {
+  tree,  // both branches at a film, then one path from the first surface on that scatters
+  path,  // one path throughout: slow, kept as a check
+};
+
 struct RenderSettings {
   int samples = 64;
   std::uint64_t seed = 1;
   optics::Interference interference = optics::Interference::airy;
+  Transport transport = Transport::tree;
   double split_threshold = 1e-3;
   int max_depth = 64;
 };
@@ -46,6 +63,10 @@ struct Scene {
   optics::Medium medium = optics::Medium::constant(1.0);  // fills all space, inside and outside of bubbles
   std::vector<Sphere> spheres;
   std::vector<Film> films;
+  std::vector<Object> objects;
+  std::vector<Surface> surfaces;
+  std::vector<color::Spectrum> reflectances;  // 0..1 at 1 nm
+  double metres_per_unit = 1;                 // how long the scene's unit is, for the absorption in solids
   Environment environment;
 };
 

@@ -21,7 +21,16 @@ struct StackRay {
   bool from_exit = false;        // the light comes from the exit side; only where the outer media are equal
   std::size_t layer = no_layer;  // whose thickness is
   double thickness_nm = 0;       // this
+  // (n1 cos)^2 at each of the N wavelengths where medium 1 is itself inside of something and its angle depends on the
+  // wavelength; then cos_i is the least of them.
+  const double* q1_squared = nullptr;
 };
+
+// The same ray for the wavelengths from the given one on.
+inline StackRay from_wavelength(StackRay at, std::size_t skipped) {
+  if (at.q1_squared != nullptr) at.q1_squared += skipped;
+  return at;
+}
 
 // What comes out at the near face for N wavelengths of one polarisation, before any division: r = difference/sum,
 // t = 2 u1 passed/sum, with u1 and u3 of the outer media.
@@ -41,10 +50,13 @@ struct StackSides {
 };
 
 template <class T, int N>
-inline RayLanes<N> ray_lanes(const StackTable& table, std::size_t first, double cos_i) {
-  const double cos2 = std::max(cos_i * cos_i, least_cos2);
-  return {first, cos2, row_at<N>(table.incidence.in_double.n_squared, first) * cos2,
-          row_at<N>(table.half_turns_per_nm, first)};
+inline RayLanes<N> ray_lanes(const StackTable& table, std::size_t first, const StackRay& at) {
+  const double cos2 = std::max(at.cos_i * at.cos_i, least_cos2);
+  const auto n1_squared = row_at<N>(table.incidence.in_double.n_squared, first);
+  const auto q1_squared = at.q1_squared == nullptr ? n1_squared * cos2
+                                                   : max(math::packet<double, N>::load(at.q1_squared),
+                                                         n1_squared * least_cos2);
+  return {first, cos2, q1_squared, row_at<N>(table.half_turns_per_nm, first)};
 }
 
 // The fields at the exit: a wave that runs away alone, E = 1 and H = u3.
@@ -92,7 +104,7 @@ template <class T, int N>
 inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, const StackRay& at) {
   using P = math::packet<T, N>;
   constexpr std::size_t layers_between_scalings = 8;
-  const RayLanes<N> ray = ray_lanes<T, N>(table, first, at.cos_i);
+  const RayLanes<N> ray = ray_lanes<T, N>(table, first, at);
   const bool running = table.exit.lossless && table.exit.least_step + table.least_n1_squared * ray.cos2 > 0;
   StackSides<T, N> sides;
   sides.lossless = table.lossless && running;
@@ -183,7 +195,7 @@ template <class T, int N, class Finish>
 inline auto in_lanes_of(const StackTable& table, std::size_t first, const StackRay& at, const Finish& finish) {
   if constexpr (!math::fits_register<T, N>)
     return joined_halves<N>(in_lanes_of<T, N / 2>(table, first, at, finish),
-                            in_lanes_of<T, N / 2>(table, first + N / 2, at, finish));
+                            in_lanes_of<T, N / 2>(table, first + N / 2, from_wavelength(at, N / 2), finish));
   else
     return finish(cross_stack<T, N>(table, first, at));
 }
@@ -193,7 +205,7 @@ template <int N, class Finish>
 inline auto with_enough_digits(const StackTable& table, std::size_t first, const StackRay& at, const Finish& finish) {
   if constexpr (!math::fits_register<float, N>) {
     return joined_halves<N>(with_enough_digits<N / 2>(table, first, at, finish),
-                            with_enough_digits<N / 2>(table, first + N / 2, at, finish));
+                            with_enough_digits<N / 2>(table, first + N / 2, from_wavelength(at, N / 2), finish));
   } else {
     decltype(finish(std::declval<StackSides<float, N>>())) result;
     if (table.layers.size() <= most_layers_in_float) [[likely]] {
@@ -225,29 +237,43 @@ inline std::array<math::packet<T, N>, 4> mueller_block(const math::packet<T, N>&
   return {T(0.5) * (s + p), T(0.5) * (s - p), both.re, both.im};
 }
 
+// t relates E (s) and the magnetic field (p); between unequal media the power that runs on has another factor for each.
+template <class T, int N>
+inline math::packet<T, N> outer_media_factor(const StackSides<T, N>& sides) {
+  const auto ratio = (sides.s.u3.re * sides.p.u3.re) / (sides.s.u1 * sides.p.u1);
+  return sqrt(max(ratio, math::packet<T, N>(T(0))));
+}
+
 struct MuellerOfSides {
+  bool equal_outer_media;
+
   template <class T, int N>
   std::array<math::packet<T, N>, 8> operator()(const StackSides<T, N>& sides) const {
     const auto s = powers_of(sides.s, sides.lossless), p = powers_of(sides.p, sides.lossless);
     const auto in_s = amplitudes_of(sides.s, sides.lossless), in_p = amplitudes_of(sides.p, sides.lossless);
     const auto r = mueller_block(s[0], p[0], in_s.r * conj(in_p.r));
-    const auto t = mueller_block(s[1], p[1], in_s.t * conj(in_p.t));
+    auto passed = in_s.t * conj(in_p.t);
+    if (!equal_outer_media) {
+      const auto factor = outer_media_factor(sides);
+      passed = {passed.re * factor, passed.im * factor};
+    }
+    const auto t = mueller_block(s[1], p[1], passed);
     return {r[0], r[1], r[2], r[3], t[0], t[1], t[2], t[3]};
   }
 };
 
-// Both Mueller blocks within 5e-6, for a stack between equal media: r from the side of medium 1 (of the exit with
-// from_exit), and t, which is the same from both sides.
+// Both Mueller blocks within 5e-6: r from the side of medium 1 (of the exit with from_exit), and t, which is the same
+// from both sides.
 template <int N>
 inline FilmMueller<N> stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
-  const auto x = with_enough_digits<N>(table, first, at, MuellerOfSides());
+  const auto x = with_enough_digits<N>(table, first, at, MuellerOfSides{table.equal_outer_media});
   return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]}};
 }
 
 // The same in double.
 template <int N>
 inline FilmMueller<N, double> exact_stack_mueller(const StackTable& table, std::size_t first, const StackRay& at) {
-  const auto x = in_lanes_of<double, N>(table, first, at, MuellerOfSides());
+  const auto x = in_lanes_of<double, N>(table, first, at, MuellerOfSides{table.equal_outer_media});
   return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]}};
 }
 

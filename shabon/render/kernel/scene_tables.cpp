@@ -68,10 +68,11 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, opt
 
 }  // namespace
 
-SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey)
+SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey,
+                         const std::optional<std::vector<Comb>>& chosen)
     : scene(of), spheres(shapes(of)), channel_count(static_cast<int>(of.environment.channels.size())) {
   const color::Observer& observer = color::observer_1931();
-  const std::vector<Comb> wavelengths = wavelength_combs(observer, scene.environment.channels);
+  const std::vector<Comb> wavelengths = chosen ? *chosen : wavelength_combs(observer, scene.environment.channels);
   medium_n_squared = std::norm(scene.medium.index(color::first_nm));
   for (const Comb& comb : wavelengths) {
     CombTable table;

@@ -42,7 +42,9 @@ struct CombTable {
 };
 
 struct SceneTables {
-  SceneTables(const scene::Scene& scene, std::optional<double> grey_reflectance);
+  // `combs`: wavelengths other than those of a picture.
+  SceneTables(const scene::Scene& scene, std::optional<double> grey_reflectance,
+              const std::optional<std::vector<Comb>>& combs = {});
 
   const scene::Scene& scene;
   geometry::SphereSet spheres;

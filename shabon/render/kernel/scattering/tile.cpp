@@ -1,0 +1,63 @@
+#include "shabon/render/kernel/scattering/tile.h"
+
+#include "shabon/render/kernel/scattering/sampler.h"
+
+namespace shabon::render {
+inline namespace SHABON_REGISTERS {
+
+WalkStart ScatteringTile::start_of(const Tile& tile, int pixel, const PixelSeeds& seeds, std::uint32_t sample) const {
+  const scene::Scene& scene = tables_.scene;
+  const double x = tile.x0 + pixel % tile.width + pixel_offset_x(sample, seeds.x);
+  const double y = tile.y0 + pixel / tile.width + pixel_offset_y(sobol_second_reversed(sample), seeds.y);
+  WalkStart start;
+  start.origin = scene.camera.position;
+  start.direction = math::normalize(scene.camera.through(x, y));
+  start.sample = sample;
+  start.seed = seeds.x ^ (seeds.y * 0x9E3779B9u);
+  start.comb = static_cast<std::size_t>(comb_of_sample(sample));
+  start.carried = start_.carried;
+  start.row = {unpolarized(Lanes(start_.carried)), {}, false};
+  if (start_.polarized) {
+    const math::Vec3d& d = start.direction;
+    start.row.s = math::normalize(scene.camera.right - d * math::dot(scene.camera.right, d));
+    start.row.row = {Lanes(0.5f), Lanes(0.5f * start_.cos_2a), Lanes(0.5f * start_.sin_2a), Lanes(0.0f)};
+    start.row.polarized = true;
+  }
+  return start;
+}
+
+void ScatteringTile::add(int pixel, const WalkStart& start, const WalkLight& light) {
+  std::array<double, 3>& sum = sums_[pixel];
+  if (light.direct) {  // the same in every comb, so its colour is known without the lanes
+    for (std::size_t k = 0; k < direct_.size(); ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += light.direct_carried * direct_[k] * double(tables_.films.channel_xyz[k][c]);
+    return;
+  }
+  const CombTable& comb = tables_.films.combs[start.comb];
+  for (std::size_t c = 0; c < 3; ++c) sum[c] += math::sum(light.radiance * comb.weight[c]);
+}
+
+void ScatteringTile::add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end) {
+  PixelSeeds seeds[tile_pixels];
+  tile_seeds(tables_.scene, tile, seeds);
+  for (int pixel = 0; pixel < tile.pixels(); ++pixel)
+    for (std::uint32_t sample = first; sample < end; ++sample) {
+      const WalkStart start = start_of(tile, pixel, seeds[pixel], sample);
+      add(pixel, start, walk_.follow(start, direct_));
+    }
+  camera_samples_ += static_cast<std::uint64_t>(tile.pixels()) * (end - first);
+}
+
+void ScatteringTile::take_sums(const Tile& tile, std::vector<std::array<double, 3>>& xyz) {
+  xyz.assign(sums_, sums_ + tile.pixels());
+  for (auto& sum : sums_) sum = {};
+}
+
+TransportCounts ScatteringTile::counts() const {
+  const WalkCounts& walk = walk_.counts();
+  return {camera_samples_, walk.rays + walk.shadow_rays, walk.events, walk.cut_paths, walk.dropped};
+}
+
+}  // namespace SHABON_REGISTERS
+}  // namespace shabon::render
