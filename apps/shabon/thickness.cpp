@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <regex>
 
 #include "chart_range.h"
 #include "command.h"
@@ -132,7 +133,7 @@ void declare_spectra(CLI::App& app, ThicknessCommand& command, std::vector<const
             ->type_name("LIST"));
   limit(app.add_flag("--percent", command.percent, "The shares are in percent"));
   limit(add_number(app, "--noise", command.noise, {.low = 0, .high = 1, .low_open = true}, "",
-                   "Standard deviation of a share, 0..1 [from the residuals]"));
+                   "Standard deviation of a share, 0..1 [told by the residuals, at least 0.0001]"));
   limit(app.add_flag("--ignore-scale", command.ignore_scale, "The shares have one unknown common factor"));
 }
 
@@ -151,13 +152,28 @@ Examples:
   shabon thickness 'air | SiO2 ? | Si' --spectrum wafer.csv --range 0:20um
   shabon thickness 'air | Si3N4 50..150nm | SiO2 ? | Si' --spectrum wafer.csv --format json)";
 
+// At the first thickness, where a `?` could stand, or where the first layer would begin.
+Diagnostic nothing_unknown(const std::string& expression) {
+  static const std::regex thickness("[0-9.][0-9.eE+-]*[ \t]*(nm|um|\u00B5m|\u03BCm|mm|cm)(?![A-Za-z0-9_])");
+  const std::size_t bar = std::min(expression.find('|'), expression.size());
+  const std::string after = expression.substr(bar);
+  std::smatch found;
+  const bool has_layer = std::regex_search(after, found, thickness);
+  const std::size_t at = has_layer ? bar + static_cast<std::size_t>(found.position()) : bar;
+  Diagnostic error;
+  error.source = "<stack>", error.excerpt = expression, error.line = 1;
+  error.column = static_cast<int>(utf8_characters(std::string_view(expression).substr(0, at)).size()) + 1;
+  error.message = "expected ? or a range such as 100..900nm in place of a thickness, got " +
+                  (has_layer ? "'" + found.str() + "'" : std::string("no layer"));
+  return error;
+}
+
 }  // namespace
 
 Result<NamedFilm> read_unknown_film(const ThicknessCommand& command) {
   const auto parsed = optics::parse_stack_with_unknowns(command.expression, api::medium_resolver());
   if (!parsed) return parsed.errors();
-  if (parsed->unknowns.empty())
-    return fail(Failure::usage, "STACK: expected ? in place of a thickness, as in 'air | water ? | air', got none");
+  if (parsed->unknowns.empty()) return Diagnostics{nothing_unknown(command.expression)};
   NamedFilm named{{parsed->stack, {}}, {}};
   for (const optics::UnknownThickness& unknown : parsed->unknowns) {
     const optics::ThicknessRange range =

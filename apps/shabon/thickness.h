@@ -1,6 +1,7 @@
 // What `shabon thickness` asks and prints: a film with unknown thicknesses, and a colour or a spectrum of it.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,6 +52,34 @@ Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, Thick
 
 // A warning for standard error.
 Diagnostic thickness_note(std::string message);
+
+// Which of a list to print: the heaviest first, or in its own order, as long as `wanted` says so of an index; at least
+// three and at most `most`. Nothing that weighs is left behind for something lighter.
+template <class Candidates, class Wanted>
+std::vector<std::size_t> chosen(const Candidates& candidates, bool by_weight, long long most, const Wanted& wanted) {
+  constexpr std::size_t fewest = 3;
+  std::vector<std::size_t> all(candidates.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  if (by_weight)
+    std::stable_sort(all.begin(), all.end(),
+                     [&](std::size_t a, std::size_t b) { return candidates[a].weight > candidates[b].weight; });
+  std::size_t count = 0;
+  while (count < all.size() && (count < fewest || wanted(all[count]))) ++count;
+  all.resize(std::min(count, static_cast<std::size_t>(most)));
+  return all;
+}
+
+// What the others weigh: 1 less the listed.
+template <class Candidates>
+double weight_beside(const Candidates& candidates, const std::vector<std::size_t>& listed) {
+  double rest = 1;
+  for (const std::size_t i : listed) rest -= candidates[i].weight;
+  constexpr double rounding = 1e-12;
+  return rest > rounding ? rest : 0;
+}
+
+// Shares of the probability below which a line is left out, and below which nothing is said of all that are.
+inline constexpr double least_weight_listed = 5e-3, least_weight_told = 1e-3;
 
 // "One thickness holds 95 % of the probability." and the like, and its word in JSON: one, several or none.
 std::string verdict_sentence(std::size_t in_95_percent);

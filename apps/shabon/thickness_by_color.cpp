@@ -13,9 +13,6 @@ namespace shabon::app {
 
 namespace {
 
-constexpr std::size_t fewest_listed = 3;
-constexpr double least_weight_listed = 1e-3;
-
 // The angle of each colour: one for all, or one for each.
 std::vector<double> angles_of(const ThicknessCommand& command) {
   std::vector<double> angles = command.incidence_deg.empty() ? std::vector<double>{0} : command.incidence_deg;
@@ -88,17 +85,20 @@ void add_notes(const ColorFindings& findings, Diagnostics& notes) {
                                      "any picture of unknown exposure use --ignore-lightness",
                                      told, reached)));
   }
-  if (findings.answer.found && best.at_end)
+  const desk::ColorCandidate& heaviest = findings.answer.candidates[findings.listed.front()];
+  if (findings.answer.found && heaviest.level)
+    notes.push_back(thickness_note(level_sentence(heaviest) + ": the colour does not tell which"));
+  else if (findings.answer.found && best.at_end)
     notes.push_back(thickness_note("the nearest thickness is the end of the range; it may go on beyond it"));
 }
 
-std::size_t count_listed(const ColorFindings& findings) {
+void choose_listed(ColorFindings& findings) {
   const auto& candidates = findings.answer.candidates;
-  std::size_t count = 0;
-  while (count < candidates.size() && (count < fewest_listed || candidates[count].difference <= findings.answer.near ||
-                                       (findings.answer.found && candidates[count].weight >= least_weight_listed)))
-    ++count;
-  return std::min(count, static_cast<std::size_t>(findings.command.most));
+  const bool found = findings.answer.found;
+  findings.listed = chosen(candidates, found, findings.command.most, [&](std::size_t i) {
+    return candidates[i].difference <= findings.answer.near || (found && candidates[i].weight >= least_weight_listed);
+  });
+  findings.unlisted_weight = weight_beside(candidates, findings.listed);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
   Result<desk::ColorAnswer> answer = desk::thickness_from_color(findings.query);
   if (!answer) return answer.errors();
   findings.answer = std::move(*answer);
-  findings.listed = count_listed(findings);
+  choose_listed(findings);
   add_notes(findings, notes);
   report(notes);
   switch (format) {
@@ -143,6 +143,21 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
       break;
   }
   return color_findings_text(findings);
+}
+
+std::string level_sentence(const desk::ColorCandidate& candidate) {
+  return fmt::format("{:.1f} to {:.1f} nm are alike{}", candidate.level->low_nm, candidate.level->high_nm,
+                     candidate.opaque ? ", as the layer is opaque" : "");
+}
+
+bool is_determined(const ColorFindings& findings) {
+  const desk::Unknown& unknown = findings.film.film.unknowns.front();
+  double open = 0;
+  for (const desk::ColorCandidate& candidate : findings.answer.candidates) {
+    const double left_nm = candidate.interval_high_nm - candidate.interval_low_nm;
+    if (left_nm > (unknown.high_nm - unknown.low_nm) / 2) open += candidate.weight;
+  }
+  return open < 1 - desk::credible_share;
 }
 
 color::EncodedRgb shown_color(const ColorFindings& findings, const desk::ColorCandidate& candidate, std::size_t color) {

@@ -14,10 +14,9 @@ namespace shabon::app {
 
 namespace {
 
-constexpr std::size_t fewest_listed = 3;
-constexpr double least_weight_listed = 1e-3;
 constexpr double widening_worth_telling = 1.2, most_search_fringes = 0.25, most_fringes_between_rows = 0.5;
 constexpr double least_explained = 0.5;
+constexpr std::size_t enough_freedom = 4;  // values beside the unknowns, for the noise to be told from residuals
 
 // The share of the spectrum's variation that the film explains; 1 where there is none to explain.
 double explained(const SpectrumFindings& findings) {
@@ -25,7 +24,7 @@ double explained(const SpectrumFindings& findings) {
   for (const desk::MeasuredRow& row : findings.query.measured.rows)
     for (const double share : row.shares) sum += share, squares += share * share, ++count;
   const double variation = squares / count - sum / count * (sum / count);
-  const double rms = findings.answer.candidates.front().rms;
+  const double rms = findings.answer.candidates.front().rms;  // the least
   return variation > 0 ? 1 - rms * rms / variation : 1;
 }
 
@@ -48,7 +47,7 @@ void note_search(const SpectrumFindings& findings, Diagnostics& notes) {
 
 void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
   const desk::SpectrumAnswer& answer = findings.answer;
-  const desk::SpectrumCandidate& best = answer.candidates.front();
+  const desk::SpectrumCandidate& best = most_probable(findings);
   if (answer.noise_exceeded)
     notes.push_back(thickness_note(fmt::format(
         "the residuals are {:.1f} times the stated noise: the film is not quite as described; errors and weights "
@@ -59,6 +58,12 @@ void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
         fmt::format("neighbouring residuals are alike, so the film is not quite as described; errors are {:.1f} times "
                     "those of random noise",
                     answer.widening)));
+  const std::size_t values = findings.query.measured.rows.size() * findings.query.measured.quantities.size();
+  const std::size_t unknowns = best.thickness_nm.size() + (findings.command.ignore_scale ? 1 : 0);
+  if (!findings.command.noise && values < unknowns + enough_freedom)
+    notes.push_back(
+        thickness_note(fmt::format("{} values for {} unknown{} hardly tell how large their noise is; --noise states it",
+                                   values, unknowns, unknowns == 1 ? "" : "s")));
   const double share = explained(findings);
   if (share < least_explained)
     notes.push_back(
@@ -74,12 +79,20 @@ void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
   }
 }
 
-std::size_t count_listed(const SpectrumFindings& findings) {
+void choose_listed(SpectrumFindings& findings) {
   const auto& candidates = findings.answer.candidates;
-  std::size_t count = 0;
-  while (count < candidates.size() && (count < fewest_listed || candidates[count].weight >= least_weight_listed))
-    ++count;
-  return std::min(count, static_cast<std::size_t>(findings.command.most));
+  findings.listed = chosen(candidates, true, findings.command.most,
+                           [&](std::size_t i) { return candidates[i].weight >= least_weight_listed; });
+  findings.unlisted_weight = weight_beside(candidates, findings.listed);
+}
+
+void note_angles(const SpectrumFindings& findings, Diagnostics& notes) {
+  const std::string file = printable(*findings.command.spectrum_file, 100);
+  const std::vector<double>& told = findings.command.incidence_deg;
+  if (findings.query.measured.has_angles && !told.empty())
+    notes.push_back(thickness_note(file + " has angles of its own; --angle is passed over"));
+  if (!findings.query.measured.has_angles && told.empty())
+    notes.push_back(thickness_note(file + " has no column angle_deg; 0 degrees is assumed (--angle tells another)"));
 }
 
 }  // namespace
@@ -104,7 +117,8 @@ Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, Thick
   Result<desk::SpectrumAnswer> answer = desk::thickness_from_spectrum(findings.query);
   if (!answer) return answer.errors();
   findings.answer = std::move(*answer);
-  findings.listed = count_listed(findings);
+  choose_listed(findings);
+  note_angles(findings, notes);
   note_search(findings, notes);
   note_fit(findings, notes);
   report(notes);
@@ -117,6 +131,10 @@ Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, Thick
       break;
   }
   return spectrum_findings_text(findings);
+}
+
+const desk::SpectrumCandidate& most_probable(const SpectrumFindings& findings) {
+  return findings.answer.candidates[findings.listed.front()];
 }
 
 }  // namespace shabon::app

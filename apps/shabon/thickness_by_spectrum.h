@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "thickness.h"
 
@@ -14,8 +15,12 @@ struct SpectrumFindings {
   NamedFilm film;
   desk::SpectrumQuery query;
   desk::SpectrumAnswer answer;
-  std::size_t listed = 0;  // of the candidates, from the first
+  std::vector<std::size_t> listed = {};  // of the candidates, the most probable first
+  double unlisted_weight = 0;            // of all others
 };
+
+// The first of the list.
+const desk::SpectrumCandidate& most_probable(const SpectrumFindings& findings);
 
 std::string spectrum_findings_text(const SpectrumFindings& findings);
 std::string spectrum_findings_json(const SpectrumFindings& findings);

@@ -1,7 +1,9 @@
 // What was found for a colour as text, JSON and CSV.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "json.h"
 #include "shabon/base/text.h"
@@ -51,6 +53,7 @@ std::string row(const ColorFindings& findings, const desk::ColorCandidate& c) {
     const color::EncodedRgb shown = shown_color(findings, c, i);
     text += "  " + color::to_hex(shown) + (swatch_wanted() ? swatch(shown) : "");
   }
+  if (c.level) return text + "  " + level_sentence(c) + "\n";
   return text + (c.at_end ? "  end of the range\n" : "\n");
 }
 
@@ -62,26 +65,43 @@ std::string table(const ColorFindings& findings) {
   if (one) text += fmt::format("  {:>7} {:>7} {:>7}", "X", "Y", "Z");
   if (one && findings.command.ignore_lightness) text += fmt::format("  {:>8}", "exposure");
   text += one ? "  colour\n" : "  colours\n";
-  for (std::size_t i = 0; i < findings.listed; ++i) text += row(findings, findings.answer.candidates[i]);
+  for (const std::size_t i : findings.listed) text += row(findings, findings.answer.candidates[i]);
   return text;
+}
+
+double least_difference_beside(const ColorFindings& findings) {
+  const auto& candidates = findings.answer.candidates;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (std::find(findings.listed.begin(), findings.listed.end(), i) == findings.listed.end())
+      least = std::min(least, candidates[i].difference);
+  return least;
 }
 
 std::string verdict(const ColorFindings& findings) {
   const desk::ColorAnswer& answer = findings.answer;
-  const std::size_t left = answer.candidates.size() - findings.listed;
-  std::string text;
   if (!answer.found)
-    text = fmt::format(
+    return fmt::format(
         "No thickness in the range gives this colour: the nearest differs by {:.2f}, and {:.2f} is too "
         "much ({}).\n",
         answer.candidates.front().difference, answer.near,
         answer.near > desk::noticeable_difference ? "three times the uncertainty" : "noticeable");
-  else
-    text = verdict_sentence(answer.in_95_percent) + "\n";
-  if (left > 0)
-    text += fmt::format("{} more, of difference {:.1f} and above, {} not listed.\n", left,
-                        answer.candidates[findings.listed].difference, left == 1 ? "is" : "are");
-  return text;
+  if (!is_determined(findings))
+    return "Undetermined: over wide stretches of thickness the colour is nearly the same.\n";
+  return verdict_sentence(answer.in_95_percent) + "\n";
+}
+
+// What the table leaves out: how many, how far they are and what they weigh.
+std::string unlisted(const ColorFindings& findings) {
+  const auto& candidates = findings.answer.candidates;
+  const std::size_t left = candidates.size() - findings.listed.size();
+  if (left == 0) return "";
+  const double least = least_difference_beside(findings);
+  std::string text =
+      fmt::format("{} more, of difference {:.1f} and above, {} not listed", left, least, left == 1 ? "is" : "are");
+  if (findings.answer.found && findings.unlisted_weight >= least_weight_told)
+    text += fmt::format(" ({} of the probability)", percent_text(findings.unlisted_weight));
+  return text + ".\n";
 }
 
 std::string candidate_json(const ColorFindings& findings, const desk::ColorCandidate& candidate) {
@@ -90,6 +110,8 @@ std::string candidate_json(const ColorFindings& findings, const desk::ColorCandi
   json.add("order", order_of(candidate)).add("path_orders", candidate.order).add("at_end", candidate.at_end);
   if (findings.answer.found)
     json.add("weight", candidate.weight).add("interval_nm", {candidate.interval_low_nm, candidate.interval_high_nm});
+  if (candidate.level)
+    json.add("level_nm", {candidate.level->low_nm, candidate.level->high_nm}).add("opaque", candidate.opaque);
   std::string colors;
   for (std::size_t i = 0; i < findings.told.size(); ++i) {
     JsonObject color;
@@ -104,7 +126,7 @@ std::string candidate_json(const ColorFindings& findings, const desk::ColorCandi
 }  // namespace
 
 std::string color_findings_text(const ColorFindings& findings) {
-  return heading(findings) + table(findings) + "\n" + verdict(findings);
+  return heading(findings) + table(findings) + "\n" + verdict(findings) + unlisted(findings);
 }
 
 std::string color_findings_json(const ColorFindings& findings) {
@@ -122,11 +144,14 @@ std::string color_findings_json(const ColorFindings& findings) {
     color.add("side", side_name(findings.query.seen[i])).add("XYZ", {xyz.x, xyz.y, xyz.z});
     colors += (i == 0 ? "" : ", ") + color.line();
   }
-  for (std::size_t i = 0; i < findings.listed; ++i)
-    candidates += (i == 0 ? "\n    " : ",\n    ") + candidate_json(findings, findings.answer.candidates[i]);
+  for (const std::size_t i : findings.listed)
+    candidates += (candidates.empty() ? "\n    " : ",\n    ") + candidate_json(findings, findings.answer.candidates[i]);
   json.add_json("colors", "[" + colors + "]");
-  json.add("verdict", findings.answer.found ? verdict_word(findings.answer.in_95_percent) : "none");
-  if (findings.answer.found) json.add("in_95_percent", findings.answer.in_95_percent);
+  const std::string_view word =
+      is_determined(findings) ? verdict_word(findings.answer.in_95_percent) : std::string_view("undetermined");
+  json.add("verdict", findings.answer.found ? word : std::string_view("none"));
+  if (findings.answer.found)
+    json.add("in_95_percent", findings.answer.in_95_percent).add("unlisted_weight", findings.unlisted_weight);
   json.add("candidates_found", findings.answer.candidates.size());
   return json.add_json("candidates", "[" + candidates + "\n  ]").text();
 }
@@ -138,7 +163,7 @@ std::string color_findings_csv(const ColorFindings& findings) {
     for (const char* name : {"X", "Y", "Z", "hex"}) text += "," + (name + suffix);
   }
   text += "\n";
-  for (std::size_t c = 0; c < findings.listed; ++c) {
+  for (const std::size_t c : findings.listed) {
     const desk::ColorCandidate& candidate = findings.answer.candidates[c];
     text += format_exact(candidate.thickness_nm);
     for (const double value : {candidate.interval_low_nm, candidate.interval_high_nm, candidate.weight})

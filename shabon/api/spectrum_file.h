@@ -19,7 +19,7 @@ struct SpectrumFileOptions {
 // `transmittance`), perhaps angle_deg; what `shabon spectrum` prints is one. Names ignore case, blanks and punctuation;
 // a share whose name holds `%` or `percent` is in percent. Other columns are passed over, and R where R_s and R_p are
 // there too. Without a header: wavelength in nm, and the share that `columns` names or else R. Wavelengths in any order
-// and at any spacing.
+// and at any spacing. Where `;` or tabs separate the first line, they do so everywhere, and a comma is a decimal one.
 // Errors: Failure::file when it cannot be read, Failure::content with the place of what is wrong, such as a share above
 // 1.5 that is not said to be in percent.
 Result<desk::MeasuredSpectrum> read_spectrum_file(const std::filesystem::path& path,

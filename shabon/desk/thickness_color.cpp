@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "shabon/base/parallel.h"
@@ -130,6 +131,26 @@ double order_of(const ColorQuery& query, double thickness_nm) {
   return 2 * n_cos * thickness_nm / order_retardation_nm;
 }
 
+// Whether the layer is seen alone over most of the stretch: of light that crosses it and returns, hardly any is left.
+bool is_opaque(const ColorQuery& query, const Stretch& level) {
+  constexpr double most_returning = 0.02;
+  const Unknown& unknown = query.film.unknowns.front();
+  if (level.high_nm < unknown.high_nm) return false;
+  const double middle_nm = (level.low_nm + level.high_nm) / 2;
+  const optics::Medium& medium = query.film.stack.layers[unknown.layers.front()].medium;
+  for (const SeenColor& seen : query.seen) {
+    color::Spectrum share{};
+    for (std::size_t i = 0; i < color::spectrum_size; ++i) {
+      const auto nm = static_cast<double>(color::wavelength_nm(i));
+      const double k_c =
+          optics::normal_index(query.film.stack.incidence.index(nm), seen.incidence, medium.index(nm)).imag();
+      share[i] = std::exp(-8 * std::numbers::pi * std::abs(k_c) * middle_nm / nm);
+    }
+    if (color::reflectance_to_xyz(share, query.lamp, *query.observer).y > most_returning) return false;
+  }
+  return true;
+}
+
 ColorCandidate candidate_of(const ColorQuery& query, const std::vector<Comparison>& comparisons,
                             const ScanMinimum& minimum) {
   ColorCandidate candidate;
@@ -137,6 +158,8 @@ ColorCandidate candidate_of(const ColorQuery& query, const std::vector<Compariso
   candidate.at_end = minimum.at_end;
   candidate.weight = minimum.weight;
   candidate.interval_low_nm = minimum.interval_low_nm, candidate.interval_high_nm = minimum.interval_high_nm;
+  candidate.level = minimum.level;
+  candidate.opaque = minimum.level && is_opaque(query, *minimum.level);
   candidate.order = order_of(query, minimum.thickness_nm);
   double squares = 0;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

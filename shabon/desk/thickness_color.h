@@ -14,6 +14,7 @@
 #include "shabon/color/xyz.h"
 #include "shabon/desk/film_spectrum.h"
 #include "shabon/desk/thickness_model.h"
+#include "shabon/desk/thickness_scan.h"
 
 namespace shabon::desk {
 
@@ -53,6 +54,11 @@ struct ColorCandidate {
   double order = 0;                 // path difference 2 Re(n cos) thickness / 550 nm of the first colour
   double weight = 0;                // share of the probability, 0..1 (48)
   double interval_low_nm = 0, interval_high_nm = 0;  // 95 % of that
+
+  // Where the colour does not tell the thickness: any of the stretch is as good (scanned_minima()).
+  std::optional<Stretch> level = {};
+  bool opaque = false;  // because the layer hides what lies below it: less than 2 % return from there, in the middle of
+                        // the stretch
 };
 
 struct ColorAnswer {

@@ -50,6 +50,14 @@ double scale_for(double size) {
   return std::ldexp(1.0, -std::ilogb(size) / 2);
 }
 
+// film_terms() of a layer without absorption, in real numbers: most of a search's time goes into them.
+constexpr double least_clear_index = 1e-3;  // of n cos, far from the critical angle
+optics::FilmTerms clear_terms(double n_c, double thickness_nm, double wavelength_nm) {
+  const double beta = 2 * std::numbers::pi * n_c * thickness_nm / wavelength_nm;
+  const double sine = std::sin(beta);
+  return {std::cos(beta), sine, sine / n_c, 1};
+}
+
 }  // namespace
 
 std::span<const QuantityEntry> quantities() { return quantity_list; }
@@ -148,7 +156,9 @@ void FilmModel::set_thickness(std::size_t unknown, double thickness_nm) {
   if (one_by_one_) return;
   for (Row& row : rows_) {
     Crossed& crossed = row.unknowns[unknown];
-    crossed.terms = optics::film_terms(crossed.n_c, thickness_nm, row.at.wavelength_nm);
+    crossed.terms = crossed.n_c.imag() == 0 && crossed.n_c.real() > least_clear_index
+                        ? clear_terms(crossed.n_c.real(), thickness_nm, row.at.wavelength_nm)
+                        : optics::film_terms(crossed.n_c, thickness_nm, row.at.wavelength_nm);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "shabon/desk/thickness_check.h"
 #include "shabon/desk/thickness_fit.h"
 #include "shabon/desk/thickness_grid.h"
+#include "shabon/desk/thickness_noise.h"
 #include "shabon/desk/thickness_scan.h"
 
 namespace shabon::desk {
@@ -136,16 +137,27 @@ double neighbour_correlation(const Problem& problem, const std::vector<double>& 
   return correlation > 2 / std::sqrt(static_cast<double>(residuals.size())) ? std::min(correlation, most) : 0;
 }
 
-void estimate_noise(const SpectrumQuery& query, const Problem& problem, const Fit& best, SpectrumAnswer& answer) {
-  const double freedom = problem.freedom(), variance = best.squares / freedom;
-  answer.noise = std::max(std::sqrt(variance), rounding_noise);
+// What the noise may be: as stated, unless the residuals are larger; or anything that digits and instruments allow.
+NoiseRange noise_range(const SpectrumQuery& query, const Problem& problem, const Fit& best, SpectrumAnswer& answer) {
+  NoiseRange range;
   if (query.noise) {
+    const double freedom = problem.freedom(), variance = best.squares / freedom;
     const double most = 1 + noise_deviations * std::sqrt(2 / freedom);
     answer.noise_exceeded = variance > *query.noise * *query.noise * most;
-    if (!answer.noise_exceeded) answer.noise = std::max(*query.noise, rounding_noise);
+    range.least = range.most = std::max(*query.noise, rounding_noise);
+  } else {
+    double unit = 0;
+    for (const double value : problem.measured) unit = std::max(unit, std::abs(value));
+    range.usual = usual_noise * (problem.free_scale ? unit : 1);
+    range.least = std::max({rounding_noise, least_noise * (problem.free_scale ? unit : 1),
+                            query.measured.step / std::sqrt(12.0)});  // the deviation of what rounding leaves open
   }
+  if (query.noise && !answer.noise_exceeded) return range;
+  range.most = std::max(largest_noise, 10 * range.least);
   const double correlation = neighbour_correlation(problem, best.residuals);
-  if (!query.noise || answer.noise_exceeded) answer.widening = std::sqrt((1 + correlation) / (1 - correlation));
+  answer.widening = range.widening = std::sqrt((1 + correlation) / (1 - correlation));
+  answer.least_noise = range.least;
+  return range;
 }
 
 double difference_in_errors(const Fit& a, const Fit& b, std::size_t size, double variance) {
@@ -172,23 +184,22 @@ std::vector<Fit> distinct(std::vector<Fit> fits, std::size_t size, double varian
   return kept;
 }
 
-SpectrumCandidate candidate_of(const Fit& fit, const Problem& problem, double variance) {
+SpectrumCandidate candidate_of(const Fit& fit, const Problem& problem, const WeighedFit& weighed) {
   const std::size_t size = problem.size();
   SpectrumCandidate candidate;
   candidate.rms = std::sqrt(fit.squares / static_cast<double>(problem.measured.size()));
   candidate.scale = fit.scale;
-  const std::optional<SmallMatrix> lower = cholesky(fit.curvature, size);
-  const SmallMatrix covariance = lower ? inverse(*lower, size) : SmallMatrix{};
-  bool all_determined = lower.has_value();
+  bool all_determined = true;
   for (std::size_t j = 0; j < size; ++j) {
     const Unknown& unknown = problem.film.unknowns[j];
-    const double at = fit.thickness_nm[j], error = std::sqrt(covariance[j][j] * variance);
-    const bool determined = lower && error < (unknown.high_nm - unknown.low_nm) / std::sqrt(12.0);
+    const double at = fit.thickness_nm[j];
     candidate.thickness_nm.push_back(at);
-    candidate.standard_error_nm.push_back(determined ? std::optional(error) : std::nullopt);
+    candidate.standard_error_nm.push_back(weighed.standard_error_nm[j]);
+    candidate.half_95_nm.push_back(weighed.half_95_nm[j]);
     candidate.at_end.push_back(at <= unknown.low_nm || at >= unknown.high_nm);
-    all_determined = all_determined && determined;
+    all_determined = all_determined && weighed.standard_error_nm[j];
   }
+  const SmallMatrix& covariance = weighed.covariance;
   for (std::size_t j = 0; all_determined && j < size; ++j) {
     candidate.correlation.emplace_back();
     for (std::size_t k = 0; k < size; ++k)
@@ -197,31 +208,19 @@ SpectrumCandidate candidate_of(const Fit& fit, const Problem& problem, double va
   return candidate;
 }
 
-// (51): how much of the probability lies in the minimum, as a logarithm without the common factor. The uniform prior
-// has the variance range^2/12; it keeps what the spectrum does not determine within the range.
-double log_weight(const Fit& fit, const Problem& problem, double variance) {
-  SmallMatrix information = fit.curvature;
-  for (std::size_t j = 0; j < problem.size(); ++j) {
-    for (std::size_t k = 0; k < problem.size(); ++k) information[j][k] /= variance;
-    const double range_nm = problem.film.unknowns[j].high_nm - problem.film.unknowns[j].low_nm;
-    information[j][j] += 12 / (range_nm * range_nm);
+void weigh(const std::vector<Fit>& fits, const Problem& problem, const NoiseRange& noise, SpectrumAnswer& answer) {
+  std::vector<double> weights;
+  for (const Fit& fit : fits) {
+    const WeighedFit result = weighed(fit, problem.film, problem.target(), noise);
+    if (answer.candidates.empty()) answer.noise = result.noise;
+    answer.candidates.push_back(candidate_of(fit, problem, result));
+    weights.push_back(result.log_weight);
   }
-  const std::optional<SmallMatrix> lower = cholesky(information, problem.size());
-  return -fit.squares / (2 * variance) - (lower ? log_determinant(*lower, problem.size()) / 2 : 0);
-}
-
-void weigh(const std::vector<Fit>& fits, const Problem& problem, double variance, SpectrumAnswer& answer) {
-  std::vector<double> logarithms;
-  for (const Fit& fit : fits) logarithms.push_back(log_weight(fit, problem, variance));
-  const double most = *std::max_element(logarithms.begin(), logarithms.end());
+  const double most = *std::max_element(weights.begin(), weights.end());
   double sum = 0;
-  for (double& value : logarithms) sum += value = std::exp(value - most);
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    answer.candidates.push_back(candidate_of(fits[i], problem, variance));
-    answer.candidates.back().weight = logarithms[i] / sum;
-  }
-  for (double& value : logarithms) value /= sum;
-  answer.in_95_percent = count_credible(logarithms);
+  for (double& weight : weights) sum += weight = std::exp(weight - most);
+  for (std::size_t i = 0; i < fits.size(); ++i) answer.candidates[i].weight = weights[i] /= sum;
+  answer.in_95_percent = count_credible(weights);
 }
 
 double fringes_between_rows(const Problem& problem) {
@@ -241,10 +240,10 @@ Result<SpectrumAnswer> thickness_from_spectrum(const SpectrumQuery& query) {
   SpectrumAnswer answer;
   answer.fringes_between_rows = fringes_between_rows(problem);
   std::vector<Fit> fits = all_fits(problem, answer);
-  estimate_noise(query, problem, fits.front(), answer);
-  const double deviation = answer.noise * answer.widening, variance = deviation * deviation;
-  fits = distinct(std::move(fits), problem.size(), variance);
-  weigh(fits, problem, variance, answer);
+  const NoiseRange noise = noise_range(query, problem, fits.front(), answer);
+  const double variance = std::max(fits.front().squares / problem.freedom(), noise.least * noise.least);
+  fits = distinct(std::move(fits), problem.size(), variance * noise.widening * noise.widening);
+  weigh(fits, problem, noise, answer);
   return answer;
 }
 

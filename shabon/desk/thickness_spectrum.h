@@ -18,19 +18,30 @@ struct MeasuredRow {
 struct MeasuredSpectrum {
   std::vector<Quantity> quantities;
   std::vector<MeasuredRow> rows;  // in any order
+  double step = 0;                // of the last digit that the shares were given with; 0 where that is unknown
+  bool has_angles = true;         // rows were measured at these angles; otherwise one was assumed
 };
 
 struct SpectrumQuery {
   UnknownFilm film;
   MeasuredSpectrum measured;
-  std::optional<double> noise = {};  // standard deviation of a share; otherwise it is taken from the residuals
+  std::optional<double> noise = {};  // standard deviation of a share; otherwise unknown, and told by the residuals
   bool ignore_scale = false;         // the shares have one unknown common factor
 };
+
+// The least noise of a share that is not stated: few photometers repeat and are calibrated better. With an unknown
+// scale it is a share of the largest value.
+inline constexpr double least_noise = 1e-4;
+// Below this it is thought less likely, unless the residuals show it: most photometers are not better.
+inline constexpr double usual_noise = 1e-3;
+// The most: no shares of 0..1 scatter more than evenly spread ones.
+inline constexpr double largest_noise = 0.3;
 
 // One minimum of the residuals.
 struct SpectrumCandidate {
   std::vector<double> thickness_nm;                      // of each unknown
-  std::vector<std::optional<double>> standard_error_nm;  // nothing where the spectrum does not determine it
+  std::vector<std::optional<double>> standard_error_nm;  // half of what holds 68 %; nothing where not determined
+  std::vector<std::optional<double>> half_95_nm;         // of what holds 95 %; more than twice that when values are few
   std::vector<bool> at_end;                              // of its range
   std::vector<std::vector<double>> correlation;          // of the errors; empty where one is not determined
   double rms = 0;                                        // of computed minus measured
@@ -41,7 +52,8 @@ struct SpectrumCandidate {
 struct SpectrumAnswer {
   std::vector<SpectrumCandidate> candidates;  // every distinct minimum, the smallest rms first; at least one
   std::size_t in_95_percent = 0;              // how many it takes to hold 95 % of the weight
-  double noise = 0;                           // standard deviation that the errors and weights assume
+  double noise = 0;                           // standard deviation that the best leaves likely, or as stated
+  double least_noise = 0;                     // that was thought possible where it was not stated
   bool noise_exceeded = false;                // the residuals are larger than the stated noise, and replaced it
   double widening = 1;                        // of the errors, as neighbouring residuals are alike
   double fringes_between_rows = 0;            // the most that pass from one wavelength to the next; 0.5 is too many

@@ -113,6 +113,92 @@ TEST(Thickness, FindsTheFilmsOfASpectrum) {
   EXPECT_NE(fixed.err.find("times the stated noise"), std::string::npos) << fixed.err;
 }
 
+// A thick metal: one line for all of it, whatever the number of lines, and no certainty.
+TEST(Thickness, SaysThatALayerIsOpaque) {
+  for (const char* metal : {"Ag", "Al"}) {
+    const std::string film = std::string("air | ") + metal + " ? | glass";
+    const std::vector<std::string> asked = {film,
+                                            "--color",
+                                            hex_of(std::string("air | ") + metal + " 300nm | glass"),
+                                            "--uncertainty",
+                                            "5",
+                                            "--range",
+                                            "0:500nm",
+                                            "--most",
+                                            "1"};
+    const io::YamlDocument json = answer(asked);
+    EXPECT_EQ(io::find(json.root, "verdict")->text, "undetermined");
+    EXPECT_EQ(io::find(candidate(json, 0), "opaque")->text, "true");
+    const std::vector<double> level = numbers(candidate(json, 0), "level_nm"),
+                              interval = numbers(candidate(json, 0), "interval_nm");
+    EXPECT_LT(level[0], 100);
+    EXPECT_EQ(level[1], 500);
+    const double at = number(candidate(json, 0), "thickness_nm"), weight = number(candidate(json, 0), "weight");
+    EXPECT_GT(at, interval[0]);
+    EXPECT_LT(at, interval[1]);
+    EXPECT_GT(weight, 0.9);
+    EXPECT_NEAR(number(json.root, "unlisted_weight"), 1 - weight, 1e-12);
+    std::vector<std::string> text = asked;
+    text.insert(text.begin(), "thickness");
+    const Outcome outcome = run(text);
+    EXPECT_NE(outcome.out.find("as the layer is opaque"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Undetermined"), std::string::npos) << outcome.out;
+  }
+}
+
+// However few lines are wanted, they are the heaviest, and what the others weigh is said.
+TEST(Thickness, HidesNoWeight) {
+  const std::vector<std::string> asked = {soap, "--color", "Lab:22.3,-10.8,2.1", "--uncertainty", "3", "--most", "2"};
+  const io::YamlDocument json = answer(asked);
+  const double first = number(candidate(json, 0), "weight"), second = number(candidate(json, 1), "weight");
+  EXPECT_GT(first, second);
+  EXPECT_GT(first, 0.35);
+  EXPECT_NEAR(number(json.root, "unlisted_weight"), 1 - first - second, 1e-12);
+  std::vector<std::string> text = asked;
+  text.insert(text.begin(), "thickness");
+  EXPECT_NE(run(text).out.find("not listed (3"), std::string::npos) << run(text).out;
+}
+
+TEST(Thickness, TellsWhichAngleItAssumes) {
+  const TemporaryFolder folder;
+  folder.write("one.csv", result_of({"spectrum", "air | SiO2 300nm | Si", "--angle", "40"}));
+  folder.write("two.csv", result_of({"spectrum", "air | SiO2 300nm | Si", "--angle", "0,40"}));
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string said, angles, from;
+  };
+  const Case cases[] = {{{"one.csv"}, "one.csv has no column angle_deg; 0 degrees is assumed", "0", "assumption"},
+                        {{"one.csv", "--angle", "40"}, "", "40", "statement"},
+                        {{"two.csv"}, "", "0 40", "file"},
+                        {{"two.csv", "--angle", "40"}, "--angle is passed over", "0 40", "file"}};
+  for (const Case& c : cases) {
+    std::vector<std::string> arguments = {"thickness", oxide, "--columns", "R_s,R_p", "--format", "json", "--spectrum"};
+    arguments.insert(arguments.end(), c.arguments.begin(), c.arguments.end());
+    const Outcome outcome = run(arguments, in_folder(folder));
+    if (c.said.empty())
+      EXPECT_EQ(outcome.err.find("angle"), std::string::npos) << outcome.err;
+    else
+      EXPECT_NE(outcome.err.find(c.said), std::string::npos) << outcome.err;
+    const auto json = io::parse_yaml(outcome.out, "answer");
+    ASSERT_TRUE(json.ok());
+    std::string angles;
+    for (const double deg : numbers(json->root, "angles_deg"))
+      angles += (angles.empty() ? "" : " ") + format_number(deg);
+    EXPECT_EQ(angles, c.angles);
+    EXPECT_EQ(io::find(json->root, "angles_from")->text, c.from);
+  }
+}
+
+TEST(Thickness, FewValuesAreNotSure) {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "wavelength_nm,R\n400,0.27514\n700,0.33538\n");
+  const io::YamlDocument json = answer({oxide, "--spectrum", "two.csv"}, folder.path());
+  EXPECT_EQ(io::find(json.root, "verdict")->text, "several");
+  EXPECT_LT(number(candidate(json, 0), "weight"), 0.6);
+  const Outcome outcome = run({"thickness", oxide, "--spectrum", "two.csv"}, in_folder(folder));
+  EXPECT_NE(outcome.err.find("2 values for 1 unknown hardly tell how large their noise is"), std::string::npos);
+}
+
 TEST(Thickness, FormsHoldTheSameNumbers) {
   const std::vector<std::string> arguments = {oxide, "--color", "Lab:43.8,25.8,-38.8", "--uncertainty", "5"};
   std::vector<std::string> csv = arguments;
@@ -146,7 +232,9 @@ TEST(Thickness, RefusesWhatItCannotAnswer) {
   const Refused refused[] = {
       {{}, 2, "expected STACK"},
       {{soap}, 2, "--color: expected this or --spectrum, got neither"},
-      {{"air | water 3nm | air", "--color", "#123456"}, 2, "expected ? in place of a thickness"},
+      {{"air | water 3nm | air", "--color", "#123456"}, 3, "<stack>:1:13: error: expected ? or a range such as"},
+      {{"air | (ZnS 58nm | MgF2 99nm)^2 | glass", "--spectrum", "r.csv"}, 3, "<stack>:1:12: error: expected ?"},
+      {{"air | water", "--color", "#123456"}, 3, "<stack>:1:5: error: expected ?"},
       {{soap, "--color", "#123456", "--spectrum", "r.csv"}, 2, "expected without --spectrum, got both"},
       {{soap, "--color", "#12345"}, 2, "expected #rrggbb or SPACE:A,B,C"},
       {{soap, "--color", "#12345g"}, 2, "expected #rrggbb or SPACE:A,B,C"},
@@ -201,7 +289,8 @@ std::vector<std::string> words(const std::string& line) {
   return all;
 }
 
-// Every `$ shabon ...` of the page with what stands below it, up to the next or the end of the block.
+// Every `$ shabon ...` of the page with what stands below it, up to the next or the end of the block; `$ cat` shows
+// files.
 TEST(Thickness, ThePageShowsWhatIsPrinted) {
   const TemporaryFolder folder;
   std::istringstream page(read_all(std::filesystem::path(SHABON_SOURCE_DIR) / "docs/thickness.md"));
@@ -210,13 +299,19 @@ TEST(Thickness, ThePageShowsWhatIsPrinted) {
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with("```")) is_output = false;
     if (is_output && !line.starts_with("$ ")) examples.back().second += line + "\n";
-    if (!line.starts_with("$ shabon ")) continue;
-    examples.emplace_back(line.substr(9), "");
+    if (!line.starts_with("$ ")) continue;
+    examples.emplace_back(line.substr(2), "");
     is_output = true;
   }
   ASSERT_GT(examples.size(), 8u);
   for (const auto& [command, shown] : examples) {
     std::vector<std::string> arguments = words(command);
+    if (arguments.front() == "cat") {
+      folder.write(arguments.at(1), shown);
+      continue;
+    }
+    ASSERT_EQ(arguments.front(), "shabon") << command;
+    arguments.erase(arguments.begin());
     std::string file;
     if (arguments.size() > 2 && arguments[arguments.size() - 2] == ">") {
       file = arguments.back();

@@ -46,6 +46,10 @@ TEST(SpectrumFile, ReadsWhatPeopleWrite) {
       "lambda,r_percent\n400,50\n500,25\n",
       "wavelength_um,R,remark\n0.4,0.5,7\n0.5,0.25,8\n",
       "400,0.5\n500,0.25\n",
+      "# as Excel writes it, here\nWavelength (nm);R\n400;0,5\n500;0,25\n",
+      "400;0,5\r\n500;0,25\r\n",
+      "nm;R\n400;0.5\n500;0.25\n",
+      "nm\tR (%)\n400\t50,0\n500\t25\n",
   };
   for (const char* text : texts) EXPECT_EQ(shown(read(text)), two) << text;
   EXPECT_EQ(shown(read("nm,R\n400,50\n500,25\n", {{}, true, 0})), two);
@@ -53,6 +57,16 @@ TEST(SpectrumFile, ReadsWhatPeopleWrite) {
   EXPECT_EQ(shown(read("400,0.5\n", {{Quantity::T}, false, 0})), "T; 400 0 0.5");
   EXPECT_EQ(shown(read("angle_deg,nm,R_s,R_p\n20,400,0.5,0.4\n60,400,0.6,0.1\n")),
             "R_s,R_p; 400 20 0.5 0.4; 400 60 0.6 0.1");
+}
+
+TEST(SpectrumFile, TellsItsDigitsAndWhetherItHasAngles) {
+  EXPECT_EQ(read("nm,R\n400,0.5\n500,0.25\n")->step, 0.01);
+  EXPECT_EQ(read("nm,R\n400,5e-1\n500,2.5e-1\n")->step, 0.01);
+  EXPECT_DOUBLE_EQ(read("nm,R%\n400,50\n500,25.5\n")->step, 0.001);
+  EXPECT_EQ(read("nm,R,T\n400,0,0.125\n500,0,0.2\n")->step, 0.001);
+  EXPECT_EQ(read("nm,R\n400,0\n500,1\n")->step, 0);
+  EXPECT_FALSE(read("nm,R\n400,0.5\n")->has_angles);
+  EXPECT_TRUE(read("nm,R,angle_deg\n400,0.5,0\n")->has_angles);
 }
 
 TEST(SpectrumFile, CountsNothingTwice) {
@@ -63,9 +77,10 @@ TEST(SpectrumFile, CountsNothingTwice) {
 
 TEST(SpectrumFile, ProblemsHaveAPlace) {
   const std::pair<const char*, const char*> broken[] = {
-      {"nm,I\n400,0.5\n", "a.csv: error: expected the columns wavelength_nm and R, R_s, R_p, T, T_s or T_p, got nm, I"},
-      {"R,T\n0.1,0.5\n", "a.csv: error: expected the columns wavelength_nm and R"},
-      {"400,0.5,0.4\n", "a.csv: error: expected the columns wavelength_nm and R, R_s, R_p, T, T_s or T_p, or two"},
+      {"nm,I\n400,0.5\n",
+       "a.csv:1:1: error: expected the columns wavelength_nm and R, R_s, R_p, T, T_s or T_p, got nm, I"},
+      {"R,T\n0.1,0.5\n", "a.csv:1:1: error: expected the columns wavelength_nm and R"},
+      {"400,0.5,0.4\n", "a.csv:1:1: error: expected the columns wavelength_nm and R, R_s, R_p, T, T_s or T_p, or two"},
       {"nm,R\n400,x\n", "a.csv:2:5: error: expected a number, got 'x'"},
       {"nm,R\n400,0.4\n500,41\n",
        "a.csv:3:5: error: expected a share of the incident light, 0..1, got 41: is it in per"},
@@ -73,9 +88,14 @@ TEST(SpectrumFile, ProblemsHaveAPlace) {
       {"nm,R\n400,-0.9\n", "a.csv:2:5: error: expected a share of the incident light"},
       {"nm,R\n-400,0.9\n", "a.csv:2:1: error: expected a wavelength > 0 nm"},
       {"nm,R,angle\n400,0.9,91\n", "a.csv:2:9: error: expected an angle of 0..90 degrees, got 91"},
-      {"nm,R\n0.4,0.9\n", "a.csv: error: expected wavelengths in nm; the longest is 0.4: are they micrometres?"},
+      {"nm,R\n0.4,0.9\n", "a.csv:2:1: error: expected wavelengths in nm; the longest is 0.4: are they micrometres?"},
       {"nm,R,reflectance\n400,0.4,0.4\n",
-       "a.csv: error: expected one column for each share, got 'reflectance' as a se"},
+       "a.csv:1:6: error: expected one column for each share, got 'reflectance' as a se"},
+      {"# of a wafer\n\nnm,I\n400,0.5\n", "a.csv:3:1: error: expected the columns"},
+      {"R,wavelength_um\n0.3,700\n0.2,400\n",
+       "a.csv:3:5: error: expected wavelengths in micrometres; the shortest is 400"},
+      {"nm;R\n400;0,5x\n", "a.csv:2:5: error: expected a number, got '0.5x'"},
+      {"nm;R\n400;0;5\n", "a.csv:2:7: error: expected 2 cells, got 3"},
   };
   for (const auto& [text, message] : broken) {
     const std::string said = shown(read(text));

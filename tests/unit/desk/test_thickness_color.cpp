@@ -233,6 +233,77 @@ TEST(ThicknessFromColor, WeightsAndIntervalsAreAsStated) {
   EXPECT_NEAR(inside / trials, credible_share, 0.035);
 }
 
+// Thick metal has one colour, and rounding makes minima of it: they are one stretch, which is told as such.
+TEST(ThicknessFromColor, LevelStretchesAreOne) {
+  for (const char* expression : {"air | Ag ? | glass", "air | Al ? | glass", "air | Au ? | Si"})
+    for (const double uncertainty : {1, 5}) {
+      ColorQuery query = query_for(expression, 200, {{}}, "D65", 500);
+      query.uncertainty = uncertainty;
+      const ColorAnswer answer = answer_to(query);
+      const auto level = std::find_if(answer.candidates.begin(), answer.candidates.end(),
+                                      [](const ColorCandidate& candidate) { return candidate.level.has_value(); });
+      ASSERT_NE(level, answer.candidates.end()) << expression;
+      EXPECT_LE(answer.candidates.size(), 3u) << expression;
+      EXPECT_TRUE(level->opaque) << expression;
+      EXPECT_GT(level->level->low_nm, 5) << expression;
+      EXPECT_LT(level->level->low_nm, 120) << expression;
+      EXPECT_EQ(level->level->high_nm, 500) << expression;
+      EXPECT_GT(level->weight, 0.9) << expression;
+    }
+  // A clear film is never opaque, and where its colour tells nothing the whole range is level.
+  ColorQuery vague = query_for("air | SiO2 ? | Si", 300);
+  vague.uncertainty = 1000;
+  const ColorAnswer answer = answer_to(vague);
+  ASSERT_TRUE(answer.candidates.front().level);
+  EXPECT_FALSE(answer.candidates.front().opaque);
+  vague.uncertainty = 1;
+  EXPECT_FALSE(answer_to(vague).candidates.front().level);
+}
+
+TEST(ThicknessFromColor, IntervalsHoldTheirThickness) {
+  for (const Film& film : films)
+    for (const double uncertainty : {0.5, 3.0, 20.0}) {
+      ColorQuery query = query_for(film.expression, film.thicknesses_nm.front());
+      query.uncertainty = uncertainty;
+      double sum = 0;
+      for (const ColorCandidate& candidate : answer_to(query).candidates) {
+        EXPECT_LE(candidate.interval_low_nm, candidate.thickness_nm) << film.expression << " " << uncertainty;
+        EXPECT_GE(candidate.interval_high_nm, candidate.thickness_nm) << film.expression << " " << uncertainty;
+        EXPECT_LT(candidate.interval_low_nm, candidate.interval_high_nm) << film.expression << " " << uncertainty;
+        sum += candidate.weight;
+      }
+      EXPECT_NEAR(sum, 1, 1e-12);
+    }
+}
+
+// A misfit with many equal valleys, of which few are kept: the others keep their share.
+TEST(ThicknessScan, WhatIsLeftOutStillWeighs) {
+  const Misfit misfit = [](const std::vector<double>& at) {
+    std::vector<double> values;
+    for (const double nm : at) values.push_back(40 * (1 - std::cos(2 * std::numbers::pi * nm / 10)));
+    return values;
+  };
+  const std::vector<ScanMinimum> minima = scanned_minima(misfit, {5, 105, 0.1}, 4);
+  ASSERT_EQ(minima.size(), 4u);
+  for (const ScanMinimum& minimum : minima) EXPECT_NEAR(minimum.weight, 0.1, 1e-3);
+  EXPECT_EQ(count_credible({0.1, 0.1, 0.1, 0.1}), 4u);
+}
+
+// Of a lopsided valley the interval is the shortest: both its ends are as likely, or one is the end of the valley.
+TEST(ThicknessScan, IntervalsAreTheShortest) {
+  const Misfit steep = [](const std::vector<double>& at) {  // p = exp(-x) from 10 on, next to nothing below
+    std::vector<double> values;
+    for (const double nm : at) values.push_back(nm < 10 ? 400 * (10 - nm) : 2 * (nm - 10));
+    return values;
+  };
+  const std::vector<ScanMinimum> minima = scanned_minima(steep, {0, 60, 0.1}, 10);
+  ASSERT_EQ(minima.size(), 1u);
+  EXPECT_NEAR(minima[0].thickness_nm, 10, 1e-6);
+  EXPECT_NEAR(minima[0].interval_low_nm, 10, 0.02);
+  EXPECT_NEAR(minima[0].interval_high_nm, 10 - std::log(0.05), 0.05);
+  EXPECT_FALSE(minima[0].level);
+}
+
 TEST(ThicknessFromColor, RefusesWhatItCannotAnswer) {
   const auto message = [](const ColorQuery& query) {
     const auto answer = thickness_from_color(query);
