@@ -247,11 +247,11 @@ TEST(Sphere, WholeRoundOnesAreTheBubblesOwn) {
 TEST(Sphere, SpheresAreAlikeFarFromTheOrigin) {
   Pcg32 random(7);
   const Vec3d far{1e7, -3e7, 2e7};
-  for (const Vec3d scale : {Vec3d{1, 1, 1}, Vec3d{1, 2, 1}}) {
-    const PlacedShape near = place(SphereCap{}, placement({}, {}, scale));
-    const PlacedShape moved = place(SphereCap{}, placement(far, {}, scale));
+  for (const Vec3d scale : {Vec3d{1, 1, 1}, Vec3d{1, 1.7, 0.6}}) {
+    const PlacedShape near = place(SphereCap{}, placement({}, {10, 20, 30}, scale));
+    const PlacedShape moved = place(SphereCap{}, placement(far, {10, 20, 30}, scale));
     for (int k = 0; k < 500; ++k) {
-      const Vec3d from = random_direction(random) * 4.0, direction = math::normalize(random_point(random, 0.5) - from);
+      const Vec3d from = random_direction(random) * 4.0, direction = math::normalize(random_point(random, 0.2) - from);
       const Vec3d origin = far + from;
       const auto here = next_crossing(near, origin - far, direction, false);
       const auto there = next_crossing(moved, origin, direction, false);
