@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bench/desk/sweeps.h"
+#include "bench/geometry/next_shape.h"
 #include "bench/geometry/next_wall.h"
 #include "bench/machine.h"
 #include "bench/optics/films.h"
@@ -44,6 +45,7 @@ Status run(const Options& options, bench::Report& report) {
     done = bench::bench_speed(report, options.quick ? quick_rounds : rounds, options.quick ? quick_samples : samples);
   if (done && options.wants("noise")) done = bench::bench_noise(report, !options.quick);
   if (done && options.wants("geometry")) done = bench::bench_next_wall(report, repeat);
+  if (done && options.wants("geometry")) done = bench::bench_next_shape(report, repeat);
   if (done && !options.json.empty()) done = io::write_file_atomically(options.json, report.json());
   if (done && !options.update.empty()) done = bench::update_page(options.update, report.markdown());
   return done;

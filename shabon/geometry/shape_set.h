@@ -25,7 +25,7 @@ enum class ShapeSearch { by_number, one_by_one, tree };
 class ShapeSet {
  public:
   // Up to this many shapes are looked at one by one: that is faster than a tree (bench/geometry measures it).
-  static constexpr int few = 16;
+  static constexpr int few = 8;
 
   explicit ShapeSet(std::vector<PlacedShape> shapes, ShapeSearch search = ShapeSearch::by_number);
   ~ShapeSet();
