@@ -76,15 +76,17 @@ optics::FilmMueller<lane_count> CoatingHere::at(std::size_t comb, double cos) co
   return optics::stack_mueller<lane_count>(stack, comb * lane_count, ray);
 }
 
-// Gauss and Legendre's rule in the square of the cosine, for which the weight 2 cos d(cos) is flat.
+// Gauss and Legendre's rule in the cosine, with the weight 2 cos.
 CoatingHere::Means CoatingHere::diffuse_means(std::size_t comb) const {
-  constexpr double nodes[] = {0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970263};
-  constexpr float weights[] = {0.17392742f, 0.32607258f, 0.32607258f, 0.17392742f};
+  constexpr double nodes[] = {0.03376524289842397, 0.16939530676686776, 0.38069040695840156,
+                              0.6193095930415985,  0.8306046932331322,  0.966234757101576};
+  constexpr double weights[] = {0.08566224618958525, 0.1803807865240693, 0.23395696728634546,
+                                0.23395696728634546, 0.1803807865240693, 0.08566224618958525};
   Means means{Lanes(0.0f), Lanes(0.0f)};
   for (std::size_t k = 0; k < std::size(nodes); ++k) {
-    const auto m = at(comb, std::sqrt(nodes[k]));
-    means.reflected += m.reflected.a * Lanes(weights[k]);
-    means.transmitted += m.transmitted.a * Lanes(weights[k]);
+    const auto m = at(comb, nodes[k]);
+    const Lanes weight(static_cast<float>(2 * nodes[k] * weights[k]));
+    means.reflected += m.reflected.a * weight, means.transmitted += m.transmitted.a * weight;
   }
   return means;
 }

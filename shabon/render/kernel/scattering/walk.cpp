@@ -3,60 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shabon/render/kernel/scattering/sampler.h"
+#include "shabon/render/kernel/scattering/walk_parts.h"
 
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
 namespace {
 
-// What a choice of a branch is for.
-enum Purpose : std::uint32_t { which_lobe = 1, which_lamp, lamp_direction, lobe_direction, lobe_part, roulette };
-
-std::uint32_t key_for(std::uint32_t branch, std::uint32_t purpose) {
-  return mixed_bits(branch + purpose * 0x9E3779B9u);
-}
-
 // After this many chances a path goes on only as likely as it carries light.
 constexpr int surfaces_before_roulette = 3;
-
-// A surface met on the way to a lamp is not looked for beyond this many.
-constexpr int most_crossings = 64;
-
-Lanes only_lane(int lane) {
-  alignas(64) float values[lane_count] = {};
-  values[lane] = lane_count;
-  return Lanes::load(values);
-}
-
-Vertex vertex_at(const ScatteringTables& tables, const math::Vec3d& origin, const math::Vec3d& direction,
-                 double distance, int shape, std::size_t comb, int hero, bool one_lane) {
-  Vertex vertex;
-  vertex.at =
-      geometry::surface_at(tables.shapes.shapes()[static_cast<std::size_t>(shape)], origin, direction, distance);
-  vertex.direction = direction;
-  const double along = math::dot(direction, vertex.at.normal);
-  vertex.from_back = along > 0;
-  vertex.normal = vertex.from_back ? -vertex.at.normal : vertex.at.normal;
-  vertex.cos_o = std::min(1.0, std::abs(along));
-  vertex.comb = comb, vertex.hero = hero, vertex.one_lane = one_lane;
-  return vertex;
-}
-
-// All that a surface lets through straight, in the frame of its plane of incidence.
-bool straight_through(const Lobes& lobes, Block& block) {
-  bool any = false;
-  for (int k = 0; k < lobes.count; ++k) {
-    const Lobe& lobe = lobes.lobe[k];
-    if (lobe.kind != LobeKind::straight) continue;
-    const Lanes share(lobe.share);
-    if (!any) block = {Lanes(0.0f), Lanes(0.0f), Lanes(0.0f), Lanes(0.0f)};
-    block = {block.a + lobe.block.a * share, block.b + lobe.block.b * share, block.c + lobe.block.c * share,
-             block.d + lobe.block.d * share};
-    any = true;
-  }
-  return any;
-}
 
 }  // namespace
 
@@ -284,90 +239,6 @@ void Walk::pass_cut(const Ray& ray, const Vertex& vertex, int shape) {
   next.origin = vertex.at.position, next.from = shape, next.film_slot = -1;
   next.carried = mean(next.row.row.q0);
   if (next.carried > 0) rays_.push_back(next);
-}
-
-// One lamp, one shadow ray, all lobes; each lobe weighs its light against its own scattered rays, (58).
-void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape,
-                            const float* chance) {
-  const double u_lamp = sample_number(sample_, key_for(ray.key, which_lamp));
-  const SamplePair u = sample_pair(sample_, key_for(ray.key, lamp_direction));
-  const auto lamp = tables_.lamps.sample(vertex.at.position, u_lamp, u.first, u.second);
-  if (!lamp || !(lamp->pdf > 0)) return;
-  FramedRow rows[most_lobes];
-  int count = 0, space = ray.space;
-  for (int k = 0; k < lobes_.count; ++k) {
-    const Lobe& lobe = lobes_.lobe[k];
-    if (is_smooth(lobe.kind)) continue;
-    const double pdf = density(vertex, frame, lobe, lamp->direction);
-    if (!(pdf > 0)) continue;
-    FramedRow row = scattered(vertex, frame, lobe, ray.row, lamp->direction);
-    Lanes factor(static_cast<float>(lobe.share / (lamp->pdf + pdf * chance[k])));
-    if (lobe.parts_wavelengths) factor = factor * only_lane(hero_);
-    row.row = scaled(row.row, factor);
-    if (lobe.kind == LobeKind::rough_refracted) space = space_behind(lobe, vertex, ray.space);
-    rows[count++] = row;
-  }
-  if (count == 0) return;
-  Lanes radiance;
-  ++counts_.shadow_rays;
-  if (!reach_lamp(vertex, shape, *lamp, space, radiance)) return;
-  Lanes sum(0.0f);
-  for (int k = 0; k < count; ++k) {
-    FramedRow row = rows[k];
-    for (const Crossing& crossing : crossings_)
-      row = {optics::through(row.in_frame(lamp->direction, crossing.s), crossing.block), crossing.s, true};
-    sum += row.row.q0;
-  }
-  Ray arrived;
-  arrived.row.row.q0 = sum;
-  add(arrived, radiance, 1);
-}
-
-// Whether nothing but films and the like stand between the surface and the lamp; lists them.
-bool Walk::reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp, int space, Lanes& radiance) {
-  crossings_.clear();
-  Lanes passed(1.0f);
-  math::Vec3d origin = vertex.at.position;
-  int from = start, slot = -1;
-  double left = lamp.distance;
-  for (int met = 0; met < most_crossings; ++met) {
-    Vertex on_the_way;
-    int shape = from;
-    double distance = 0;
-    if (slot < 0) {
-      const auto hit = tables_.shapes.next(origin, lamp.direction, from);
-      // The lamp itself ends the way; beside its own surface there is nothing to look for.
-      if (!hit) {
-        if (lamp.object >= 0) return false;
-        radiance = environment(lamp.direction) * passed;
-        return true;
-      }
-      shape = hit->shape, distance = hit->distance;
-      on_the_way = vertex_at(tables_, origin, lamp.direction, distance, shape, comb_, hero_, false);
-    } else {
-      on_the_way = vertex_at(tables_, origin - lamp.direction, lamp.direction, 1, shape, comb_, hero_, false);
-    }
-    Row faded = unpolarized(Lanes(1.0f));
-    fade(faded, space, distance);
-    passed = passed * faded.q0;
-    left -= distance;
-    lobes_of(tables_, on_the_way, shape, slot, lobes_on_the_way_);
-    if (lamp.object >= 0 && tables_.shape[static_cast<std::size_t>(shape)].object == lamp.object) {
-      constexpr double near = 1e-6;
-      if (!lobes_on_the_way_.emits || std::abs(left) > near * (1 + lamp.distance)) return false;
-      radiance = lobes_on_the_way_.emitted * passed;
-      return true;
-    }
-    Crossing crossing;
-    if (!straight_through(lobes_on_the_way_, crossing.block)) return false;
-    crossing.s = s_axis(lamp.direction, on_the_way.normal, any_normal_to(lamp.direction));
-    crossings_.push_back(crossing);
-    slot = -1;
-    for (int k = 0; k < lobes_on_the_way_.count; ++k)
-      if (lobes_on_the_way_.lobe[k].kind == LobeKind::straight) slot = lobes_on_the_way_.lobe[k].film_slot;
-    origin = on_the_way.at.position, from = shape;
-  }
-  return false;
 }
 
 }  // namespace SHABON_REGISTERS

@@ -1,0 +1,33 @@
+// Surfaces to test: for every kind of the list at least one, smooth and rough, bare and coated.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "shabon/scene/scene.h"
+
+namespace shabon::testing_surfaces {
+
+struct SurfaceCase {
+  std::string name;
+  bool keeps_light = true;  // sends on all the light that arrives, to both sides together
+  // How much of the light single scattering between facets may lose, where that is stated rather than made up for.
+  double may_lose = 0;
+  // Adds the surface (and what it is made of) to the scene; its index.
+  std::function<int(scene::Scene&)> add;
+  bool solid = false;  // has an inside
+};
+
+std::vector<SurfaceCase> surface_cases();
+
+// The kinds of scene::Surface that the cases hold, by index.
+std::vector<bool> kinds_covered();
+
+// A scene with a constant light of Y = 1 and nothing in it, a pinhole camera at (0, 0, 5) that looks at the origin.
+scene::Scene lit_from_everywhere(int width, int height, double vertical_fov_deg);
+
+// Puts a shape with the surface of that index into the scene.
+void add_object(scene::Scene& scene, const geometry::Shape& shape, const geometry::Affine& place, int surface);
+
+}  // namespace shabon::testing_surfaces

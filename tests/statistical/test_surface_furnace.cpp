@@ -1,0 +1,88 @@
+// White furnaces: what keeps all light cannot be seen in a light that is the same from everywhere, and nothing makes
+// light; and the split tree and the single path come to the same mean.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shabon/render/render.h"
+#include "tests/statistical/surface_cases.h"
+
+namespace shabon {
+namespace {
+
+using testing_surfaces::SurfaceCase;
+
+constexpr int side = 8;
+
+struct Mean {
+  double y = 0, error = 0;
+};
+
+// The mean Y over the picture, and its standard error from renders with different seeds.
+Mean mean_of(scene::Scene scene, int renders) {
+  double sum = 0, squares = 0;
+  for (int k = 0; k < renders; ++k) {
+    scene.render.seed = static_cast<std::uint64_t>(k + 1);
+    render::Sensor sensor(scene.width, scene.height);
+    const auto report = render::render(scene, {}, sensor);
+    EXPECT_TRUE(report && report->dropped_samples == 0);
+    double y = 0;
+    for (int i = 0; i < scene.width * scene.height; ++i) y += sensor.mean(i % scene.width, i / scene.width).y;
+    y /= scene.width * scene.height;
+    sum += y, squares += y * y;
+  }
+  const double mean = sum / renders;
+  return {mean, std::sqrt(std::max(0.0, squares / renders - mean * mean) / (renders - 1))};
+}
+
+scene::Scene furnace(const SurfaceCase& each, bool sphere) {
+  scene::Scene scene = testing_surfaces::lit_from_everywhere(side, side, 20);
+  const int surface = each.add(scene);
+  if (sphere)
+    testing_surfaces::add_object(scene, geometry::SphereCap{}, geometry::placement({0, 0, 0}), surface);
+  else
+    testing_surfaces::add_object(scene, geometry::Quad{}, geometry::placement({0, 0, 0}, {20, 50, 0}, {9, 9, 1}),
+                                 surface);
+  scene.render.samples = 64;
+  return scene;
+}
+
+class Furnace : public ::testing::TestWithParam<SurfaceCase> {};
+
+TEST(SurfaceCases, CoverTheList) {
+  for (const bool covered : testing_surfaces::kinds_covered()) EXPECT_TRUE(covered);
+}
+
+TEST_P(Furnace, KeepsItsLight) {
+  for (const bool sphere : {false, true}) {
+    if (!sphere && GetParam().solid) continue;
+    const Mean mean = mean_of(furnace(GetParam(), sphere), 6);
+    std::printf("%-26s %-6s Y = %.6f +- %.6f\n", GetParam().name.c_str(), sphere ? "sphere" : "quad", mean.y,
+                mean.error);
+    EXPECT_LT(mean.y, 1 + 5 * mean.error + 2e-4);
+    if (!GetParam().keeps_light) continue;
+    EXPECT_GT(mean.y, 1 - GetParam().may_lose - 5 * mean.error - 2e-4);
+  }
+}
+
+TEST_P(Furnace, TreeAndPathAgree) {
+  scene::Scene scene = furnace(GetParam(), true);
+  // A light that is not the same from everywhere.
+  scene.environment.base = scene::GradientLight{0, 0, 1.0, 0.1};
+  const Mean tree = mean_of(scene, 8);
+  scene.render.transport = scene::Transport::path;
+  scene.render.samples = 256;
+  const Mean path = mean_of(scene, 8);
+  EXPECT_LT(std::abs(tree.y - path.y), 5 * std::hypot(tree.error, path.error) + 1e-5) << tree.y << " " << path.y;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Furnace, ::testing::ValuesIn(testing_surfaces::surface_cases()), [](const auto& tested) {
+  std::string name;
+  for (const char c : tested.param.name)
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  return name;
+});
+
+}  // namespace
+}  // namespace shabon
