@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shabon/desk/film_cells.h"
+#include "shabon/desk/fringes.h"
 #include "shabon/optics/reference/stack_model.h"
 
 namespace shabon::desk {
@@ -49,10 +51,21 @@ double unpolarised(const optics::Powers& powers, Side side) {
 
 color::Spectrum unpolarised(const optics::Stack& stack, optics::Interference interference, optics::Incidence incidence,
                             Side side) {
-  color::Spectrum share{};
-  for (std::size_t i = 0; i < share.size(); ++i)
-    share[i] = unpolarised(film_powers(stack, interference, incidence, color::wavelength_nm(i)), side);
-  return share;
+  const auto spectrum = [&](const auto& share_at) {
+    color::Spectrum share{};
+    for (std::size_t i = 0; i < share.size(); ++i) share[i] = share_at(color::wavelength_nm(i));
+    return share;
+  };
+  if (!may_have_fine_fringes(stack) || !can_be_cut(stack, interference, incidence))
+    return spectrum([&](double nm) { return cell_share(stack, interference, incidence, side, nm); });
+  // As a sweep of one thickness, so that a film has one colour wherever it is asked.
+  const optics::ResolvedStack first = optics::resolve(stack, color::first_nm);
+  const std::size_t layer = fringes(first, incidence, color::first_nm).thickest;
+  const double thickness_nm = stack.layers[layer].thickness_nm;
+  const Sweep sweep{stack, layer, {thickness_nm}, incidence, side, interference};
+  const SweptCells cells(sweep);
+  if (!cells.resolved(thickness_nm)) return cells.shares(thickness_nm);
+  return spectrum([&](double nm) { return unpolarised(film_powers(stack, interference, incidence, nm), side); });
 }
 
 }  // namespace shabon::desk

@@ -28,7 +28,8 @@ enum class Side { reflected, transmitted };
 // The unpolarised share of light, (s + p)/2, on one side.
 double unpolarised(const optics::Powers& powers, Side side);
 
-// The same at 360, 361, ... 830 nm.
+// The same at 360, 361, ... 830 nm, as (17) sums it: where the stack has more than a quarter of a fringe within 1 nm,
+// the mean over the nanometre (17).
 color::Spectrum unpolarised(const optics::Stack& stack, optics::Interference interference, optics::Incidence incidence,
                             Side side);
 

@@ -5,6 +5,7 @@
 
 #include "shabon/base/parallel.h"
 #include "shabon/base/text.h"
+#include "shabon/desk/film_cells.h"
 #include "shabon/desk/kernel/sweep_rows.h"
 #include "shabon/desk/kernel/sweep_table.h"
 
@@ -21,13 +22,6 @@ Status check(const Sweep& sweep) {
       return fail(Failure::content, "expected thicknesses of 0.." + format_number(optics::largest_thickness_nm) +
                                         " nm, got " + format_number(thickness_nm));
   return check_computable(sweep.stack, sweep.interference);
-}
-
-// Whether (45) holds: one system of waves from the first medium to the last.
-bool can_be_cut(const Sweep& sweep) {
-  return sweep.interference == optics::Interference::airy && sweep.incidence.cos_i > 0 &&
-         std::all_of(sweep.stack.layers.begin(), sweep.stack.layers.end(),
-                     [](const optics::Layer& layer) { return layer.coherent; });
 }
 
 // The share by the reference, one thickness and wavelength at a time.
@@ -55,12 +49,6 @@ std::vector<std::vector<double>> spectra_one_by_one(const Sweep& sweep, std::spa
   return spectra;
 }
 
-std::vector<double> visible_wavelengths_nm() {
-  std::vector<double> wavelengths_nm;
-  for (std::size_t i = 0; i < color::spectrum_size; ++i) wavelengths_nm.push_back(color::wavelength_nm(i));
-  return wavelengths_nm;
-}
-
 // (17) as weights.
 XyzRows xyz_rows(const color::Illuminant& lamp, const color::Observer& observer, std::size_t padded) {
   const double perfect = color::radiance_to_xyz(lamp.power, observer).y;
@@ -76,9 +64,32 @@ XyzRows xyz_rows(const color::Illuminant& lamp, const color::Observer& observer,
 
 std::vector<color::Xyz> colours_one_by_one(const Sweep& sweep, const color::Illuminant& lamp,
                                            const color::Observer& observer) {
-  std::vector<color::Xyz> colours;
-  for (const std::vector<double>& spectrum : spectra_one_by_one(sweep, visible_wavelengths_nm()))
-    colours.push_back(color::reflectance_to_xyz(color::SpectrumView(spectrum), lamp, observer));
+  std::vector<color::Xyz> colours(sweep.thicknesses_nm.size());
+  parallel_for(colours.size(), 0, [&](std::size_t t) {
+    optics::Stack stack = sweep.stack;
+    stack.layers[sweep.layer].thickness_nm = sweep.thicknesses_nm[t];
+    color::Spectrum share{};
+    for (std::size_t i = 0; i < share.size(); ++i)
+      share[i] = cell_share(stack, sweep.interference, sweep.incidence, sweep.side, color::wavelength_nm(i));
+    colours[t] = color::reflectance_to_xyz(share, lamp, observer);
+  });
+  return colours;
+}
+
+// Of thicknesses at which one wavelength stands for each nanometre.
+std::vector<color::Xyz> colours_of_table(const Sweep& sweep, const SweepTable& table,
+                                         std::span<const double> thicknesses_nm, const color::Illuminant& lamp,
+                                         const color::Observer& observer) {
+  const XyzRows weights = xyz_rows(lamp, observer, table.padded);
+  std::vector<color::Xyz> colours(thicknesses_nm.size());
+  sweep_xyz(table, sweep.side, weights, thicknesses_nm, colours);
+  OneByOne film(sweep);
+  for (const std::size_t i : table.near_critical) {
+    for (std::size_t t = 0; t < colours.size(); ++t) {
+      const double share = film.share(thicknesses_nm[t], color::wavelength_nm(i));
+      colours[t].x += weights.x[i] * share, colours[t].y += weights.y[i] * share, colours[t].z += weights.z[i] * share;
+    }
+  }
   return colours;
 }
 
@@ -87,7 +98,7 @@ std::vector<color::Xyz> colours_one_by_one(const Sweep& sweep, const color::Illu
 Result<std::vector<std::vector<double>>> swept_spectra(const Sweep& sweep, std::span<const double> wavelengths_nm) {
   const Status checked = check(sweep);
   if (!checked) return checked.errors();
-  if (!can_be_cut(sweep)) return spectra_one_by_one(sweep, wavelengths_nm);
+  if (!can_be_cut(sweep.stack, sweep.interference, sweep.incidence)) return spectra_one_by_one(sweep, wavelengths_nm);
 
   const SweepTable table = sweep_table(sweep.stack, sweep.layer, sweep.incidence, wavelengths_nm);
   std::vector<std::vector<double>> spectra;
@@ -106,20 +117,22 @@ Result<std::vector<color::Xyz>> swept_colors(const Sweep& sweep, const color::Il
                                              const color::Observer& observer) {
   const Status checked = check(sweep);
   if (!checked) return checked.errors();
-  if (!can_be_cut(sweep)) return colours_one_by_one(sweep, lamp, observer);
+  if (!can_be_cut(sweep.stack, sweep.interference, sweep.incidence)) return colours_one_by_one(sweep, lamp, observer);
 
-  const std::vector<double> wavelengths_nm = visible_wavelengths_nm();
-  const SweepTable table = sweep_table(sweep.stack, sweep.layer, sweep.incidence, wavelengths_nm);
-  const XyzRows weights = xyz_rows(lamp, observer, table.padded);
-  std::vector<color::Xyz> colours(sweep.thicknesses_nm.size());
-  sweep_xyz(table, sweep.side, weights, sweep.thicknesses_nm, colours);
-  OneByOne film(sweep);
-  for (const std::size_t i : table.near_critical) {
-    for (std::size_t t = 0; t < colours.size(); ++t) {
-      const double share = film.share(sweep.thicknesses_nm[t], wavelengths_nm[i]);
-      colours[t].x += weights.x[i] * share, colours[t].y += weights.y[i] * share, colours[t].z += weights.z[i] * share;
-    }
-  }
+  const SweptCells cells(sweep);
+  std::vector<double> resolved_nm;
+  for (const double thickness_nm : sweep.thicknesses_nm)
+    if (cells.resolved(thickness_nm)) resolved_nm.push_back(thickness_nm);
+  std::vector<color::Xyz> resolved;
+  if (!resolved_nm.empty()) resolved = colours_of_table(sweep, cells.table(), resolved_nm, lamp, observer);
+  if (resolved.size() == sweep.thicknesses_nm.size()) return resolved;
+
+  std::vector<color::Xyz> colours;
+  std::size_t next = 0;
+  for (const double thickness_nm : sweep.thicknesses_nm)
+    colours.push_back(cells.resolved(thickness_nm)
+                          ? resolved[next++]
+                          : color::reflectance_to_xyz(cells.shares(thickness_nm), lamp, observer));
   return colours;
 }
 

@@ -29,7 +29,7 @@ struct Sweep {
 // such layer, a thickness out of range, a stack that the model does not know.
 Result<std::vector<std::vector<double>>> swept_spectra(const Sweep& sweep, std::span<const double> wavelengths_nm);
 
-// The colour of every thickness (17). The same errors.
+// The colour of every thickness (17), with means over nanometres that hold many fringes. The same errors.
 Result<std::vector<color::Xyz>> swept_colors(const Sweep& sweep, const color::Illuminant& lamp,
                                              const color::Observer& observer = color::observer_1931());
 

@@ -27,8 +27,7 @@ struct Passage {
 };
 
 template <bool Lossless>
-Passage passage(P half_turns_per_nm, P halvings_per_nm, double thickness_nm) {
-  const P half_turns = half_turns_per_nm * thickness_nm;
+Passage passage(P half_turns, P halvings_per_nm, double thickness_nm) {
   const P f = half_turns - math::round(half_turns);  // a whole half turn changes both signs, and (46) squares them
   Passage result{math::cos_pi_reduced(f), math::sin_pi_reduced(f), P(1.0), P(0.0)};
   if constexpr (!Lossless) {
@@ -84,8 +83,20 @@ class Wavelengths {
         s_(table.s, first),
         p_(table.p, first) {}
 
-  P share(double thickness_nm) const {
-    const Passage by = passage<Lossless>(half_turns_per_nm_, halvings_per_nm_, thickness_nm);
+  P share(double thickness_nm) const { return share_at(half_turns_per_nm_ * thickness_nm, thickness_nm); }
+
+  // The mean over `fringes` fringes around the thickness, half of them to either side.
+  P mean_share(double thickness_nm, P fringes) const {
+    constexpr int looks = 32;
+    const P middle = half_turns_per_nm_ * thickness_nm;
+    P sum(0.0);
+    for (int i = 0; i < looks; ++i) sum += share_at(middle + fringes * ((i + 0.5) / looks - 0.5), thickness_nm);
+    return sum * (1.0 / looks);
+  }
+
+ private:
+  P share_at(P half_turns, double thickness_nm) const {
+    const Passage by = passage<Lossless>(half_turns, halvings_per_nm_, thickness_nm);
     const Share s = s_.template share<Lossless>(by);
     if constexpr (Normal) return s.part * math::reciprocal(s.whole);
     const Share p = p_.template share<Lossless>(by);
@@ -93,7 +104,6 @@ class Wavelengths {
     return 0.5 * (s.part * p.whole + p.part * s.whole) * math::reciprocal(s.whole * p.whole);
   }
 
- private:
   P half_turns_per_nm_, halvings_per_nm_;
   Polarisation<Transmitted> s_, p_;
 };
@@ -125,6 +135,24 @@ void sweep_row(const SweepTable& table, Side side, double thickness_nm, std::spa
   in_form(table, side, [&]<class Form>() {
     for (std::size_t first = 0; first < table.padded; first += lanes)
       Form(table, first).share(thickness_nm).store(&row[first]);
+  });
+}
+
+void sweep_row_means(const SweepTable& table, Side side, std::span<const double> fringes_per_nm, double most_fringes,
+                     double thickness_nm, std::span<double> row) {
+  // Beyond so many fringes whole ones are what counts, and one whole fringe has the mean of all.
+  constexpr double many = 2;
+  in_form(table, side, [&]<class Form>() {
+    for (std::size_t first = 0; first < table.padded; first += lanes) {
+      const Form at_these(table, first);
+      const P fringes = P::load(&fringes_per_nm[first]) * thickness_nm;
+      if (math::largest(fringes) <= most_fringes) {
+        at_these.share(thickness_nm).store(&row[first]);
+        continue;
+      }
+      const P counted = select(fringes > P(many), P(1.0), fringes);
+      at_these.mean_share(thickness_nm, select(fringes > P(most_fringes), counted, P(0.0))).store(&row[first]);
+    }
   });
 }
 

@@ -12,6 +12,12 @@ namespace shabon::desk {
 // The unpolarised share at one thickness into `row`, table.padded long.
 void sweep_row(const SweepTable& table, Side side, double thickness_nm, std::span<double> row);
 
+// The same as means over stretches of wavelength, each around its own: while the light's wavelength runs through one,
+// it passes fringes_per_nm[i] thickness_nm fringes of the swept layer, all else being held (17). Up to `most_fringes`
+// of them one wavelength stands for the stretch.
+void sweep_row_means(const SweepTable& table, Side side, std::span<const double> fringes_per_nm, double most_fringes,
+                     double thickness_nm, std::span<double> row);
+
 // What each wavelength adds to X, Y and Z for a share of 1: rows of table.padded, 0 in the padding.
 struct XyzRows {
   std::vector<double> x, y, z;
