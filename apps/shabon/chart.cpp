@@ -179,9 +179,8 @@ void declare_light(CLI::App& app, ChartCommand& command) {
   ChartOptions& chart = command.chart;
   add_lamp(app, command.lamp);
   add_choice(app, "--observer", chart.observer_index, color::observers(), "Standard observer");
-  // Neighbouring colours lie side by side here: what is near the boundary gives way too, so that no edges are seen.
   for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
-    if (color::gamut_mappings()[i].mapping == color::GamutMapping::gentle) chart.gamut_index = i;
+    if (color::gamut_mappings()[i].mapping == color::default_gamut_mapping) chart.gamut_index = i;
   add_choice(app, "--gamut", chart.gamut_index, color::gamut_mappings(), "What is shown for colours beyond sRGB");
   std::vector<std::string_view> methods = {"none"};
   for (const color::AdaptationEntry& entry : color::adaptations()) methods.push_back(entry.name);

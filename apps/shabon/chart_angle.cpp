@@ -33,6 +33,7 @@ struct AngleMap {
   SweptFilm film;
   std::vector<double> thicknesses_nm, incidence_deg;
   std::vector<Side> sides;
+  std::vector<std::string> notes;  // on the sides
 };
 
 Result<Side> compute(const AngleMap& map, desk::Side side, const ChartOptions& options) {
@@ -64,14 +65,14 @@ Result<AngleMap> compute(const ChartOptions& options) {
   AngleMap map{std::move(*film),
                thickness.values(thickness.step_or(thickness_parts)),
                angle.values(angle.step_or(angle_parts)),
+               {},
                {}};
   if (map.thicknesses_nm.size() < 2 || map.incidence_deg.size() < 2)
     return fail(Failure::usage, "--thickness, --angle: expected at least two values of each, a smaller step");
   if (map.thicknesses_nm.size() * map.incidence_deg.size() > most_cells)
     return fail(Failure::usage,
                 fmt::format("--thickness, --angle: expected at most {} colours, thicknesses times angles", most_cells));
-  const ChartSide shown = chart_sides()[options.side_index.value_or(default_side)];
-  for (const desk::Side side : shown.sides) {
+  for (const desk::Side side : shown_sides(map.film, options, default_side, map.notes)) {
     Result<Side> computed = compute(map, side, options);
     if (!computed) return computed.errors();
     map.sides.push_back(std::move(*computed));
@@ -144,7 +145,7 @@ io::ChartPlot plot(const AngleMap& map, const Side& side, const ChartOptions& op
   io::ChartPlot plot;
   plot.y = {"angle of incidence (degrees)", map.incidence_deg.front(), map.incidence_deg.back()};
   plot.picture = picture(map, side, display_of(options));
-  if (options.curves) plot.series = order_lines(map);
+  if (options.curves && has_orders(map.film, options)) plot.series = order_lines(map);
   const std::string brightness = options.exposure == ChartExposure::each ? "" : factor_text(side.factors.front());
   plot.heading = fmt::format("{} light{}", name_of(side.side), brightness.empty() ? "" : ", brightness " + brightness);
   return plot;
@@ -163,8 +164,9 @@ io::Chart draw(const AngleMap& map, const ChartOptions& options) {
   chart.height_px = map.sides.size() > 1 ? two_maps_height_px : height_px;
   if (options.exposure == ChartExposure::each)
     chart.notes.push_back("Each angle is brightened until its brightest colour has Y = 1.");
-  if (options.curves)
+  if (!chart.series.empty())
     chart.notes.push_back("Lines: the path difference 2 n d cos \u03B8 in the film is a whole multiple of 550 nm.");
+  chart.notes.insert(chart.notes.end(), map.notes.begin(), map.notes.end());
   chart.notes.push_back(display_note(options));
   return chart;
 }
@@ -173,6 +175,7 @@ std::string table(const AngleMap& map, const ChartOptions& options) {
   std::string csv = "# Colours over thickness and angle of the stack " + printable(map.film.expression) + "\n";
   csv += fmt::format("# thickness_nm: of layer {}; angle_deg: of incidence; unpolarised light; interference '{}'\n",
                      map.film.layer + 1, optics::name_of(options.interference()));
+  for (const std::string& note : map.notes) csv += "# " + note + "\n";
   csv += color_comments(options) + "side,angle_deg,thickness_nm," + std::string(color_columns) + "\n";
   const Display display = display_of(options);
   for (const Side& side : map.sides)
@@ -192,7 +195,7 @@ Result<MadeChart> make_angle_chart(const ChartOptions& options) {
   MadeChart chart;
   if (options.wants_drawing) chart.drawing = draw(*map, options);
   if (options.wants_table) chart.csv = table(*map, options);
-  chart.warnings = film_warnings(map->film);
+  chart.warnings = film_warnings(map->film, map->notes);
   return chart;
 }
 

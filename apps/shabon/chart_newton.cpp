@@ -1,6 +1,8 @@
 // shabon chart newton: the colours of a film over its thickness, as strips.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "chart.h"
 #include "chart_colors.h"
 #include "chart_swept.h"
@@ -27,6 +29,7 @@ struct Newton {
   SweptFilm film;
   std::vector<double> thicknesses_nm, incidence_deg;
   std::vector<Side> sides;
+  std::vector<std::string> notes;  // on the sides
 };
 
 std::string degrees(double angle_deg) { return format_number(angle_deg, 6) + "\u00B0"; }
@@ -34,15 +37,15 @@ std::string degrees(double angle_deg) { return format_number(angle_deg, 6) + "\u
 Result<Newton> compute(const ChartOptions& options) {
   Result<SweptFilm> film = read_swept_film(options);
   if (!film) return film.errors();
-  Newton newton{std::move(*film), {}, options.angles_deg.values({0}), {}};
-  const ChartSide shown = chart_sides()[options.side_index.value_or(default_side)];
-  if (newton.incidence_deg.size() * shown.sides.size() > most_strips)
+  Newton newton{std::move(*film), {}, options.angles_deg.values({0}), {}, {}};
+  const std::vector<desk::Side> sides = shown_sides(newton.film, options, default_side, newton.notes);
+  if (newton.incidence_deg.size() * sides.size() > most_strips)
     return fail(Failure::usage, fmt::format("--angle: expected at most {} strips", most_strips));
   const ChartRange range = options.thickness_nm.value_or(default_thickness_nm);
   newton.thicknesses_nm = range.values(range.step_or(least_parts));
   if (newton.thicknesses_nm.size() < 2)
     return fail(Failure::usage, "--thickness: expected at least two values, a smaller step");
-  for (const desk::Side side : shown.sides) {
+  for (const desk::Side side : sides) {
     Side computed{side, {}, {}};
     for (const double angle_deg : newton.incidence_deg) {
       Result<std::vector<color::Xyz>> colors =
@@ -67,8 +70,9 @@ io::ChartStrip strip(const Newton& newton, const Side& side, std::size_t angle, 
   for (const color::Xyz& colour : side.colors[angle])
     strip.colors.push_back(shown_bytes(colour, side.factors[angle], display));
   const double incidence_deg = newton.incidence_deg[angle];
-  strip.spans =
-      order_spans(order_thickness_nm(newton.film, incidence_deg), thicknesses_nm.front(), thicknesses_nm.back());
+  if (has_orders(newton.film, options))
+    strip.spans =
+        order_spans(order_thickness_nm(newton.film, incidence_deg), thicknesses_nm.front(), thicknesses_nm.back());
   const std::string brightness = factor_text(side.factors[angle]);
   strip.label = fmt::format("{} at {}{}", name_of(side.side), degrees(incidence_deg),
                             brightness.empty() ? "" : ", brightness " + brightness);
@@ -127,8 +131,13 @@ io::Chart draw(const Newton& newton, const ChartOptions& options) {
     if (options.curves) chart.further.push_back(curve_plot(newton, side, &side == &newton.sides.front()));
   }
   chart.strip_height_px = strips <= 2 ? single_strip_px : strip_px;
-  chart.notes = {"Orders: path difference 2 n d cos \u03B8 in the film, in steps of 550 nm, with n at 550 nm.",
-                 display_note(options)};
+  const bool orders = std::any_of(chart.strips.begin(), chart.strips.end(),
+                                  [](const io::ChartStrip& strip) { return !strip.spans.empty(); });
+  chart.notes = newton.notes;
+  if (orders)
+    chart.notes.push_back(
+        "Orders: path difference 2 n d cos \u03B8 in the film, in steps of 550 nm, with n at 550 nm.");
+  chart.notes.push_back(display_note(options));
   return chart;
 }
 
@@ -136,6 +145,7 @@ std::string table(const Newton& newton, const ChartOptions& options) {
   std::string csv = "# Newton's colours of the stack " + printable(newton.film.expression) + "\n";
   csv += fmt::format("# thickness_nm: of layer {}; angle_deg: of incidence; unpolarised light; interference '{}'\n",
                      newton.film.layer + 1, optics::name_of(options.interference()));
+  for (const std::string& note : newton.notes) csv += "# " + note + "\n";
   csv += color_comments(options) + "side,angle_deg,thickness_nm," + std::string(color_columns) + "\n";
   const Display display = display_of(options);
   for (const Side& side : newton.sides)
@@ -155,7 +165,7 @@ Result<MadeChart> make_newton_chart(const ChartOptions& options) {
   MadeChart chart;
   if (options.wants_drawing) chart.drawing = draw(*newton, options);
   if (options.wants_table) chart.csv = table(*newton, options);
-  chart.warnings = film_warnings(newton->film);
+  chart.warnings = film_warnings(newton->film, newton->notes);
   return chart;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -43,8 +44,31 @@ Result<SweptFilm> read_swept_film(const ChartOptions& options) {
   return film;
 }
 
-Diagnostics film_warnings(const SweptFilm& film) {
-  return desk::range_warnings(film.stack, std::vector<double>{color::first_nm, color::last_nm});
+Diagnostics film_warnings(const SweptFilm& film, const std::vector<std::string>& notes) {
+  Diagnostics warnings = desk::range_warnings(film.stack, std::vector<double>{color::first_nm, color::last_nm});
+  for (const std::string& note : notes) {
+    warnings.emplace_back().severity = Severity::warning;
+    warnings.back().message = note;
+  }
+  return warnings;
+}
+
+std::vector<desk::Side> shown_sides(const SweptFilm& film, const ChartOptions& options, std::size_t usual,
+                                    std::vector<std::string>& notes) {
+  std::vector<desk::Side> sides = chart_sides()[options.side_index.value_or(usual)].sides;
+  const bool transmitted = std::find(sides.begin(), sides.end(), desk::Side::transmitted) != sides.end();
+  if (transmitted && !options.side_index && !film.stack.exit.is_clear()) {
+    std::erase(sides, desk::Side::transmitted);
+    notes.push_back(fmt::format("Reflected light only: {} absorbs what enters it; '--side both' shows that share too.",
+                                printable(film.stack.exit.name(), 40)));
+    return sides;
+  }
+  for (const Diagnostic& note : power_notes(film.stack, transmitted)) notes.push_back(note.message + ".");
+  return sides;
+}
+
+bool has_orders(const SweptFilm& film, const ChartOptions& options) {
+  return film.stack.layers[film.layer].coherent && options.interference() != optics::Interference::none;
 }
 
 Result<std::vector<color::Xyz>> film_colors(const SweptFilm& film, const ChartOptions& options,

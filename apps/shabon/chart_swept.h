@@ -20,13 +20,21 @@ struct SweptFilm {
 // Errors: those of the expression; Failure::usage when it is not clear which layer is meant.
 Result<SweptFilm> read_swept_film(const ChartOptions& options);
 
-// What to say about media that are asked beyond their source.
-Diagnostics film_warnings(const SweptFilm& film);
+// What to say about media that are asked beyond their source, and these notes.
+Diagnostics film_warnings(const SweptFilm& film, const std::vector<std::string>& notes = {});
 
 // The colours at these thicknesses, nm.
 Result<std::vector<color::Xyz>> film_colors(const SweptFilm& film, const ChartOptions& options,
                                             const std::vector<double>& thicknesses_nm, double incidence_deg,
                                             desk::Side side);
+
+// The sides that a chart shows: those asked for, otherwise those of chart_sides()[usual], of which light transmitted
+// into an absorbing medium is left out. `notes` gets what there is to say about them.
+std::vector<desk::Side> shown_sides(const SweptFilm& film, const ChartOptions& options, std::size_t usual,
+                                    std::vector<std::string>& notes);
+
+// Whether the swept layer has orders: not where it is incoherent or no interference is computed.
+bool has_orders(const SweptFilm& film, const ChartOptions& options);
 
 // The thickness over which the path difference of neighbouring beams, 2 Re(n cos) times the thickness, grows by one
 // order; n is that of the swept layer at order_retardation_nm. Infinite where the layer is beyond total reflection.

@@ -66,6 +66,7 @@ int run_color(const ColorCommand& command) {
   if (command.adaptation) result.options.adaptation = color::adaptations()[*command.adaptation].method;
 
   report(desk::range_warnings(*stack, std::vector<double>{color::first_nm, color::last_nm}));
+  report(power_notes(*stack, command.transmitted));
   for (const double incidence_deg : command.incidence_deg) {
     for (const desk::Side side : sides_of(command)) {
       const color::Spectrum share =

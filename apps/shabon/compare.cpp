@@ -117,6 +117,7 @@ int run_compare(const CompareCommand& command) {
   const Result<CompareReport> compared = make_report(command);
   if (!compared) return report(compared.errors());
   report(film_warnings(compared->film));
+  report(power_notes(compared->film.stack, command.transmitted));
   return files->empty() ? print_result(formats[command.format].write(*compared)) : write_files(*files, *compared);
 }
 

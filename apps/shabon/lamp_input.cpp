@@ -1,27 +1,30 @@
 #include "lamp_input.h"
 
-#include "options.h"
 #include "shabon/api/resolvers.h"
 #include "streams.h"
 
 namespace shabon::app {
 
+namespace {
+const std::string option = "--illuminant";
+}
+
 void add_lamp(CLI::App& app, std::string& target) {
-  const std::string option = "--illuminant";
-  const auto read = [&target, option](const std::string& text) {
-    target = text;
-    if (color::illuminant_file(text)) return;
-    const Result<color::Illuminant> lamp = color::illuminant_named(text);
-    if (!lamp) usage_error(option, lamp.errors().front().message);
-  };
   app.add_option_function<std::string>(
-         option, read, "Lamp: " + color::illuminant_forms() + ", or file:PATH of one's own [" + target + "]")
+         option, [&target](const std::string& text) { target = text; },
+         "Lamp: " + color::illuminant_forms() + ", or file:PATH of one's own [" + target + "]")
       ->type_name("NAME");
 }
 
 Result<color::Illuminant> read_lamp(const std::string& text) {
   Result<color::Illuminant> lamp = api::illuminant_resolver()(text);
-  if (lamp && !lamp->note.empty()) {
+  if (!lamp) {
+    Diagnostics errors = lamp.errors();
+    for (Diagnostic& error : errors)
+      if (error.source.empty() && error.key.empty()) error.key = option;
+    return errors;
+  }
+  if (!lamp->note.empty()) {
     Diagnostic warning;
     warning.severity = Severity::warning;
     warning.message = lamp->name + ": " + lamp->note;

@@ -112,8 +112,8 @@ Action declare_lamps(CLI::App& app) {
   options->format_given = add_choice(app, "--format", options->format, formats, "Form of the output");
   add_texts(app, "-o,--output", options->outputs, "FILE", "Draws the spectra: .svg or .png, or .csv; may be repeated");
   app.footer(
-      R"(A lamp is a name of the library in any case (F11 is FL11), blackbody:3000K, daylight:5000K, or file:PATH: a CSV with
-the columns wavelength_nm and power, linear between its samples and zero beyond them. Powers are relative. x and y are
+      R"(A lamp is a name of the library in any case (F11 is FL11), blackbody:3000K (1000 to 100000 K), daylight:5000K (4000 to
+25000 K), or file:PATH: a CSV with the columns wavelength_nm and power, linear between its samples and zero beyond them. Powers are relative. x and y are
 the chromaticity; the correlated colour temperature (CCT) and the distance from the blackbodies (Duv) are those of 1931.
 
 Examples:

@@ -26,8 +26,9 @@ std::string media_table_text(const MediaTable& table) {
   constexpr int column = 11;
   std::string text, names = fmt::format("{:>14}", ""), heads = fmt::format("{:>14}", "wavelength_nm");
   for (const optics::Medium& medium : table.media) {
-    text += fmt::format("{}: {}, {}, {}\n  {}\n", printable(medium.name()), printable(medium.description()),
-                        medium.form(), range_text(medium), printable(one_line(medium.source())));
+    text += fmt::format("{}: {}, {}, {}\n", printable(medium.name()), printable(medium.description()), medium.form(),
+                        range_text(medium));
+    if (!trim(medium.source()).empty()) text += fmt::format("  {}\n", printable(one_line(medium.source())));
     names += fmt::format("  {:>{}}", printable(medium.name(), 2 * column + 1), 2 * column + 1);
     heads += fmt::format("  {:>{}} {:>{}}", "n", column, "k", column);
   }

@@ -45,6 +45,7 @@ int run_spectrum(const SpectrumOptions& options) {
                                                    most_values, columns)));
 
   report(desk::range_warnings(*stack, options.wavelengths_nm));
+  report(power_notes(*stack, false));
   Result<desk::FilmTable> film = desk::film_table(*stack, options.stack.interference(), options.incidence_deg,
                                                   options.wavelengths_nm, options.details);
   if (!film) return report(film.errors());

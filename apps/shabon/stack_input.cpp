@@ -1,5 +1,7 @@
 #include "stack_input.h"
 
+#include <utility>
+
 #include "options.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/desk/film_spectrum.h"
@@ -22,6 +24,22 @@ Result<optics::Stack> read_stack(const StackInput& input) {
   const Status computable = desk::check_computable(*stack, input.interference());
   if (!computable) return computable.errors();
   return input.reversed ? optics::reversed(*stack) : *stack;
+}
+
+Diagnostics power_notes(const optics::Stack& stack, bool transmitted) {
+  Diagnostics notes;
+  const auto note = [&](std::string message) {
+    notes.emplace_back().severity = Severity::warning;
+    notes.back().message = std::move(message);
+  };
+  if (!stack.incidence.is_clear())
+    note(printable(stack.incidence.name(), 40) +
+         " absorbs, and light comes through it: incident and reflected light exchange energy there, so R, T and A are "
+         "not shares that add up (docs/physics.md, Powers)");
+  if (transmitted && !stack.exit.is_clear())
+    note(printable(stack.exit.name(), 40) +
+         " absorbs: transmitted is the light that enters it at the last interface, none of which comes out of it");
+  return notes;
 }
 
 }  // namespace shabon::app

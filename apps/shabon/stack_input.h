@@ -25,6 +25,10 @@ void add_stack_input(CLI::App& app, StackInput& input);
 // The stack as the light meets it, when it can be computed. Files are found from the working folder.
 Result<optics::Stack> read_stack(const StackInput& input);
 
+// What to say about outer media that absorb: light that comes through one, whose powers do not add up, and, where
+// `transmitted` light is shown, light that enters one.
+Diagnostics power_notes(const optics::Stack& stack, bool transmitted);
+
 inline constexpr const char* stack_help =
     R"(STACK: media and layers from the side the light comes from, separated by '|'.
 The first and last medium have no thickness; a layer is a medium and a thickness (nm, um, mm, cm).

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "shabon/api/nk_join.h"
 #include "shabon/api/yaml_words.h"
 #include "shabon/base/text.h"
 #include "shabon/io/yaml.h"
@@ -13,10 +14,6 @@ namespace shabon::api {
 namespace {
 
 constexpr double nm_per_um = 1000;
-
-struct Sample {
-  double wavelength_nm = 0, value = 0;
-};
 
 // What one kind of DATA entry gives, and how many numbers stand in a row of its table.
 struct TableKind {
@@ -29,24 +26,20 @@ constexpr TableKind table_kinds[] = {
     {"tabulated n", true, false}, {"tabulated k", false, true}, {"tabulated nk", true, true}};
 constexpr const char* known_types = "'formula 1' .. 'formula 9', 'tabulated n', 'tabulated k' or 'tabulated nk'";
 
-// Linear in wavelength, equation (38); beyond its ends a table holds its end value.
-double interpolated(const std::vector<Sample>& table, double wavelength_nm) {
-  const auto next = std::lower_bound(table.begin(), table.end(), wavelength_nm,
-                                     [](const Sample& sample, double nm) { return sample.wavelength_nm < nm; });
-  if (next == table.begin()) return table.front().value;
-  if (next == table.end()) return table.back().value;
-  const Sample &a = *(next - 1), &b = *next;
-  return a.value + (b.value - a.value) * ((wavelength_nm - a.wavelength_nm) / (b.wavelength_nm - a.wavelength_nm));
-}
+// A line of a table that is not made of whole rows.
+struct BrokenRow {
+  std::size_t first_word = 0, words = 0;  // of the line, in the whole text
+};
 
-// All wavelengths of both tables: between them n and k are straight lines, so nothing is lost.
-std::vector<double> joint_wavelengths_nm(const std::vector<Sample>& n, const std::vector<Sample>& k) {
-  std::vector<double> wavelengths_nm;
-  for (const Sample& sample : n) wavelengths_nm.push_back(sample.wavelength_nm);
-  for (const Sample& sample : k) wavelengths_nm.push_back(sample.wavelength_nm);
-  std::sort(wavelengths_nm.begin(), wavelengths_nm.end());
-  wavelengths_nm.erase(std::unique(wavelengths_nm.begin(), wavelengths_nm.end()), wavelengths_nm.end());
-  return wavelengths_nm;
+std::optional<BrokenRow> broken_row(std::string_view text, std::size_t width) {
+  std::size_t before = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    const std::size_t words = words_of(line).size();
+    if (words % width != 0) return BrokenRow{before, words};
+    before += words;
+  }
+  if (before == 0) return BrokenRow{};
+  return {};
 }
 
 class Reader {
@@ -144,11 +137,12 @@ class Reader {
     if (!values) return;
     const std::size_t width = kind.width();
     const io::YamlNode& data = *io::find(entry, "data");
-    if (values->empty() || values->size() % width != 0)
-      return refuse(data, "expected rows of " + std::to_string(width) +
-                              " numbers (the wavelength in micrometres, then " +
-                              std::string(kind.name.substr(kind.name.find(' ') + 1)) + "), got " +
-                              std::to_string(values->size()) + " numbers");
+    if (const auto row = broken_row(data.text, width))
+      return refuse_word(data, row->first_word,
+                         "expected rows of " + std::to_string(width) +
+                             " numbers (the wavelength in micrometres, then " +
+                             std::string(kind.name.substr(kind.name.find(' ') + 1)) + "), got " +
+                             std::to_string(row->words) + (row->words == 1 ? " number" : " numbers"));
     double previous_um = 0;
     for (std::size_t i = 0; i < values->size(); i += width) {
       const double um = (*values)[i];
@@ -160,6 +154,8 @@ class Reader {
       for (std::size_t j = i + 1; j < i + width; ++j)
         if (!((*values)[j] >= 0))
           return refuse_word(data, j, "expected n and k >= 0, got " + format_number((*values)[j]));
+      if (width == 3 && (*values)[i + 1] == 0 && (*values)[i + 2] == 0)
+        return refuse_word(data, i + 1, "expected an index other than 0");
       if (kind.gives_n) n_.push_back({um * nm_per_um, (*values)[i + 1]});
       if (kind.gives_k) k_.push_back({um * nm_per_um, (*values)[i + width - 1]});
     }
@@ -173,17 +169,10 @@ class Reader {
     };
     if (formula_) {
       std::vector<optics::AbsorptionSample> absorption;
-      for (const Sample& sample : k_) absorption.push_back({sample.wavelength_nm, sample.value});
+      for (const NkSample& sample : k_) absorption.push_back({sample.wavelength_nm, sample.value});
       return placed(optics::Medium::formula(*formula_, formula_range_, std::move(description), std::move(absorption)));
     }
-    std::vector<optics::IndexSample> rows;
-    for (const double nm : joint_wavelengths_nm(n_, k_))
-      rows.push_back({nm, interpolated(n_, nm), k_.empty() ? 0 : interpolated(k_, nm)});
-    std::optional<optics::WavelengthRange> both;
-    if (!k_.empty())
-      both = {std::max(n_.front().wavelength_nm, k_.front().wavelength_nm),
-              std::min(n_.back().wavelength_nm, k_.back().wavelength_nm)};
-    return placed(optics::Medium::table(std::move(rows), std::move(description), both));
+    return placed(joined_table(n_, k_, std::move(description)));
   }
 
   const io::YamlDocument& document_;
@@ -192,7 +181,7 @@ class Reader {
   std::optional<optics::DispersionFormula> formula_;
   optics::WavelengthRange formula_range_;
   const io::YamlNode* coefficients_ = nullptr;
-  std::vector<Sample> n_, k_;
+  std::vector<NkSample> n_, k_;
 };
 
 }  // namespace

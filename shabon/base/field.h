@@ -10,7 +10,6 @@
 
 #include <limits>
 #include <string_view>
-#include <vector>
 
 namespace shabon {
 
@@ -32,13 +31,10 @@ struct Range {
   constexpr bool has_high() const { return high < std::numeric_limits<double>::max(); }
 };
 
-using NameList = std::vector<std::string_view> (*)();
-
 struct FieldInfo {
   std::string_view unit = {};  // "nm", "degrees", or empty
   Range range = {};            // of a number, or of every component of a vector
   bool required = false;       // otherwise the member's initial value is the default
-  NameList names = nullptr;    // of a text: the closed set it is taken from, ignoring case
   std::string_view doc = {};   // one line
 };
 

@@ -32,6 +32,9 @@ std::span<const GamutMappingEntry> gamut_mappings();
 std::optional<GamutMapping> find_gamut_mapping(std::string_view name);
 std::string_view name_of(GamutMapping mapping);
 
+// The roundings of a colour's sums: white under D65 is not outside for the last bits of its red.
+inline constexpr double gamut_rounding = 1e-9;
+
 // Whether every component lies in 0 - tolerance .. 1 + tolerance. NaN does not.
 bool in_srgb_gamut(LinearRgb colour, double tolerance = 0);
 

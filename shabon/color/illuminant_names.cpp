@@ -96,7 +96,9 @@ std::string illuminant_forms() {
     if (last > i) text += ".." + all[last].name;
     i = last;
   }
-  for (const ComputedLamp& lamp : computed_lamps) text += ", " + std::string(lamp.example);
+  for (const ComputedLamp& lamp : computed_lamps)
+    text += ", " + std::string(lamp.example) + " (" + whole(lamp.range_kelvin.low) + ".." +
+            whole(lamp.range_kelvin.high) + " K)";
   return text;
 }
 

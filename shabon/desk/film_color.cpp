@@ -26,7 +26,7 @@ Color color_of(color::Xyz colour, color::Xyz white, const ColorOptions& options)
   result.linear_srgb = color::xyz_to_linear_srgb(adapted(color::ColorSpace::sRGB, colour, white, options.adaptation));
   result.srgb = color::encode_srgb(result.linear_srgb);
   result.srgb_mapped = color::encode_srgb(color::map_to_srgb_gamut(result.linear_srgb, options.mapping));
-  result.in_gamut = color::in_srgb_gamut(result.linear_srgb);
+  result.in_gamut = color::in_srgb_gamut(result.linear_srgb, color::gamut_rounding);
   return result;
 }
 

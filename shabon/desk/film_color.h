@@ -30,7 +30,7 @@ struct Color {
   color::LinearRgb linear_srgb;   // unclipped
   color::EncodedRgb srgb;         // clipped to 0..1
   color::EncodedRgb srgb_mapped;  // inside sRGB by the mapping asked for
-  bool in_gamut = true;           // whether linear_srgb lies in 0..1
+  bool in_gamut = true;           // whether linear_srgb lies in 0..1, within color::gamut_rounding
 };
 
 // The colour of a reflectance or transmittance at 360, 361, ... 830 nm.

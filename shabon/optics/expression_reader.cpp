@@ -79,14 +79,14 @@ std::string_view ExpressionReader::take_through(char end, bool& found) {
   return text_.substr(begin, place - begin);
 }
 
-void ExpressionReader::expected(const std::string& what, std::size_t offset) {
+void ExpressionReader::expected(const std::string& what, std::size_t offset, std::string_view hint) {
   std::string got = "the end";
   if (offset < text_.size()) {
     std::size_t end = offset;
     while (end < text_.size() && !is_delimiter(text_[end]) && !(in_list_ && text_[end] == ',')) ++end;
     got = "'" + printable(text_.substr(offset, std::max<std::size_t>(end - offset, 1)), most_shown_characters) + "'";
   }
-  problem(offset, "expected " + what + ", got " + got);
+  problem(offset, "expected " + what + ", got " + got + std::string(hint));
 }
 
 void ExpressionReader::problem(std::size_t offset, std::string message) {

@@ -42,7 +42,7 @@ class ExpressionReader {
   std::string_view take_through(char end, bool& found);
 
   // "expected <what>, got <whatever stands at the offset>".
-  void expected(const std::string& what, std::size_t offset);
+  void expected(const std::string& what, std::size_t offset, std::string_view hint = {});
   void problem(std::size_t offset, std::string message);  // nothing when the last one stands at the same place
   // Problems that lie elsewhere keep their place; those without one get this offset.
   void problems(std::size_t offset, const Diagnostics& found);

@@ -45,10 +45,11 @@ Result<Medium> medium_named(std::string_view name) {
   std::vector<std::string_view> known = media_names();
   for (const MediumEntry& entry : media_library())
     known.insert(known.end(), entry.aliases.begin(), entry.aliases.end());
-  if (nearest_name(name, known)) return fail(Failure::content, unknown_name("medium", name, known));
+  if (nearest_name(name, known))
+    return fail(Failure::content, unknown_name("medium", name, known));
   std::string message = "unknown medium '" + printable(name, most_shown) + "'; known:";
   for (std::size_t i = 0; i < named_when_unknown; ++i) message += (i ? ", " : " ") + std::string(known[i]);
-  message += " and " + std::to_string(media_library().size() - named_when_unknown) + " more";
+  message += " and " + std::to_string(media_library().size() - named_when_unknown) + " more; 'shabon media' lists them";
   return fail(Failure::content, std::move(message));
 }
 

@@ -95,6 +95,20 @@ bool Medium::is_lossless() const {
   return std::visit([](const auto& index) { return lossless(index); }, content_->index);
 }
 
+bool Medium::is_clear() const {
+  if (is_lossless()) return true;
+  for (double nm = rendered_range_nm.first_nm; nm <= rendered_range_nm.last_nm; ++nm)
+    if (!(index(nm).imag() <= most_k_of_clear)) return false;
+  return true;
+}
+
+Medium Medium::without_absorption() const {
+  if (is_lossless()) return *this;
+  return Medium(std::make_shared<const Content>(
+      Content{content_->description,
+              std::visit([](const auto& index) { return MediumIndex(lossless_form(index)); }, content_->index)}));
+}
+
 const std::string& Medium::name() const { return content_->description.name; }
 const std::string& Medium::description() const { return content_->description.description; }
 const std::string& Medium::source() const { return content_->description.source; }

@@ -178,6 +178,22 @@ bool lossless(const MixtureIndex& mixture) {
                      [](const MixturePart& part) { return part.medium.is_lossless(); });
 }
 
+ConstantIndex lossless_form(const ConstantIndex& constant) { return {constant.index.real()}; }
+FormulaIndex lossless_form(const FormulaIndex& formula) {
+  return {formula.formula, formula.range, formula.continued, {}};
+}
+TableIndex lossless_form(const TableIndex& table) {
+  TableIndex result = table;
+  for (IndexSample& row : result.rows) row.k = 0;
+  return result;
+}
+MixtureIndex lossless_form(const MixtureIndex& mixture) {
+  MixtureIndex result;
+  for (const MixturePart& part : mixture.parts)
+    result.parts.push_back({part.medium.without_absorption(), part.fraction});
+  return result;
+}
+
 std::optional<WavelengthRange> range_of(const ConstantIndex&) { return {}; }
 std::optional<WavelengthRange> range_of(const FormulaIndex& formula) {
   return formula.absorption.empty() ? formula.range : common(formula.range, extent(formula.absorption));

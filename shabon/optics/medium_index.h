@@ -60,6 +60,12 @@ bool lossless(const FormulaIndex& formula);
 bool lossless(const TableIndex& table);
 bool lossless(const MixtureIndex& mixture);
 
+// The same n with k = 0.
+ConstantIndex lossless_form(const ConstantIndex& constant);
+FormulaIndex lossless_form(const FormulaIndex& formula);
+TableIndex lossless_form(const TableIndex& table);
+MixtureIndex lossless_form(const MixtureIndex& mixture);
+
 // The wavelengths that the source covers; nothing when there is no bound.
 std::optional<WavelengthRange> range_of(const ConstantIndex& constant);
 std::optional<WavelengthRange> range_of(const FormulaIndex& formula);

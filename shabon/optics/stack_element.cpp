@@ -16,6 +16,7 @@ using Unit = StackElementParser::Unit;
 constexpr std::array<Unit, 6> units = {{
     {"nm", 1}, {"um", 1e3}, {"\u00B5m", 1e3}, {"\u03BCm", 1e3}, {"mm", 1e6}, {"cm", 1e7},  // micro sign, Greek mu
 }};
+constexpr std::string_view incoherent_word = "incoherent";
 constexpr std::string_view unit_names = "nm, um, \u00B5m, mm or cm";
 
 const Unit* find_unit(std::string_view name) {
@@ -48,9 +49,11 @@ StackElement StackElementParser::parse() {
     reader_.skip_space();
     const std::size_t word_begin = reader_.offset();
     if (reader_.at_letter()) {
-      element.coherent = !same_name(reader_.take_until_delimiter(), "incoherent");
+      const std::string_view word = reader_.take_until_delimiter();
+      element.coherent = !same_name(word, incoherent_word);
       if (element.coherent) {
-        reader_.expected("'|' or 'incoherent'", word_begin);
+        const bool slip = nearest_name(word, std::array{incoherent_word}).has_value();
+        reader_.expected("'|' or 'incoherent'", word_begin, slip ? "; did you mean 'incoherent'?" : "");
         return broken();
       }
     }
@@ -88,7 +91,7 @@ std::optional<Medium> StackElementParser::parse_name() {
     if (reader_.at('(')) return parse_mixture(begin);
     reader_.go_to(end);
   }
-  if (same_name(name, "incoherent")) {
+  if (same_name(name, incoherent_word)) {
     reader_.expected(text_of(medium_forms) + " and a thickness before 'incoherent'", begin);
     return {};
   }

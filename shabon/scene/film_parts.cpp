@@ -34,6 +34,9 @@ bool check_layers(const std::vector<optics::Layer>& layers, const Path& place, P
   return true;
 }
 
+// What is clear fills a scene as if it absorbed nothing, however far the light goes.
+optics::Medium outer(const optics::Medium& medium) { return medium.is_clear() ? medium.without_absorption() : medium; }
+
 }  // namespace
 
 std::optional<FilmParts> film_parts(const MediumFilmDesc& film, const Path& path,
@@ -63,8 +66,9 @@ std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path,
   if (!stack) return {};
   if (!check_layers(stack->layers, place, problems)) return {};
   if (!film.vary)
-    return FilmParts{
-        stack->incidence, {stack->layers, 0, film::ConstantThickness{stack->layers.front().thickness_nm}}, stack->exit};
+    return FilmParts{outer(stack->incidence),
+                     {stack->layers, 0, film::ConstantThickness{stack->layers.front().thickness_nm}},
+                     outer(stack->exit)};
   const Path vary{&path, "vary"};
   if (problems.has(vary)) return {};
   if (film.vary->layer < 1 || film.vary->layer > static_cast<int>(stack->layers.size())) {
@@ -72,9 +76,9 @@ std::optional<FilmParts> film_parts(const StackFilmDesc& film, const Path& path,
                            " layers of the stack, got layer " + std::to_string(film.vary->layer));
     return {};
   }
-  return FilmParts{stack->incidence,
+  return FilmParts{outer(stack->incidence),
                    {stack->layers, static_cast<std::size_t>(film.vary->layer - 1), film.vary->thickness},
-                   stack->exit};
+                   outer(stack->exit)};
 }
 
 void check_outer_media(const FilmParts& parts, const Path& path, Problems& problems) {
@@ -84,7 +88,8 @@ void check_outer_media(const FilmParts& parts, const Path& path, Problems& probl
     return problems.add(place, "expected the same medium outside and inside, got '" + parts.outside.name() + "' and '" +
                                    parts.inside.name() + "'; a bubble floats in one medium");
   if (!parts.outside.is_lossless())
-    problems.add(place, "expected an outer medium without absorption, got '" + parts.outside.name() +
+    problems.add(place, "expected an outer medium without absorption (k of at most " +
+                            value_text(optics::most_k_of_clear) + "), got '" + parts.outside.name() +
                             "'; light reaches the film through it from any distance");
 }
 

@@ -15,7 +15,7 @@
 namespace shabon::scene {
 
 struct FilmParts {
-  optics::Medium outside;
+  optics::Medium outside;  // without absorption where it is clear, Medium::is_clear(); likewise inside
   Film film;
   optics::Medium inside;
 };

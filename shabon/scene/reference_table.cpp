@@ -16,10 +16,6 @@ std::string cell(std::string text) {
 
 std::string value_cell(const Key& key) {
   std::string text = key.type;
-  if (key.info.names != nullptr) {
-    text = "one of ";
-    for (std::string_view name : key.info.names()) text += (text.back() == ' ' ? "" : ", ") + std::string(name);
-  }
   const std::string range = range_text(key.info);
   return range.empty() || range == text ? text : text + ", " + range;
 }

@@ -137,13 +137,7 @@ void check_value(std::uint64_t value, const FieldInfo& info, const Path& path, P
   check_range(static_cast<double>(value), value_text(value), info, path, problems);
 }
 
-void check_value(const std::string& value, const FieldInfo& info, const Path& path, Problems& problems) {
-  if (info.names == nullptr || problems.has(path)) return;
-  const std::vector<std::string_view> names = info.names();
-  for (std::string_view name : names)
-    if (same_name(name, value)) return;
-  problems.add(path, unknown_name(path.key, value, names));
-}
+void check_value(const std::string&, const FieldInfo&, const Path&, Problems&) {}
 
 void check_value(const math::Vec3d& value, const FieldInfo& info, const Path& path, Problems& problems) {
   const double components[3] = {value.x, value.y, value.z};

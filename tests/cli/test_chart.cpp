@@ -125,8 +125,11 @@ TEST(Chart, NewtonHoldsTheColoursOfTheReference) {
 
 TEST(Chart, AngleHoldsTheColoursOfTheReference) {
   expect_film_colors({"chart", "angle", "air | SiO2 0nm | Si", "--thickness", "0:400nm:100nm", "--angle", "0:90:15",
-                      "--side", "both", "--format", "csv"},
+                      "--format", "csv"},
                      "air | SiO2 ", " | Si");
+  expect_film_colors({"chart", "angle", "air | TiO2 0nm | glass", "--thickness", "0:400nm:100nm", "--angle", "0:90:15",
+                      "--side", "both", "--format", "csv"},
+                     "air | TiO2 ", " | glass");
   const io::CsvTable table = table_of(quick("angle") + Arguments{"--format", "csv"});
   EXPECT_EQ(table.rows.size(), 11u * 5u);
   const std::vector<std::string> sides = texts(table, "side");
@@ -311,7 +314,7 @@ const std::vector<Refused> refused = {
     {{"newton", "--exposure", "bright"}, 2, "--exposure: expected each, one or a number of stops"},
     {{"newton", "--adaptation", "bradfrod"}, 2, "did you mean 'bradford'?"},
     {{"newton", "--gamut", "x"}, 2, "--gamut"},
-    {{"newton", "--illuminant", "D56"}, 2, "--illuminant"},
+    {{"newton", "--illuminant", "D56"}, 3, "--illuminant: unknown illuminant 'D56'"},
     {{"newton", "air | watr 0nm | air"}, 3, "did you mean 'water'?"},
     {{"newton", "air | (MgF2 1nm | 1.5 0nm)^2 | air", "--layer", "1", "--interference", "two-beam"}, 3, "airy"},
 };
