@@ -120,7 +120,12 @@ Action declare_media(CLI::App& app) {
   add_texts(app, "-o,--output", options->outputs, "FILE", "Draws n and k: .svg or .png, or .csv; may be repeated");
   app.footer(
       R"(A medium is a name of the library in any case, an index such as 2.4+0.01i, file:PATH, or a mixture by volume.
-An n-k file is CSV (columns wavelength_nm or wavelength_um, n and perhaps k) or a .yml of refractiveindex.info.
+An n-k file is a .yml of refractiveindex.info, or CSV with these columns in any order and case:
+  wavelength in nm  wavelength_nm, lambda_nm, wave_nm, wl_nm, nm, wavelength, lambda
+  wavelength in um  wavelength_um, lambda_um, wave_um, wl_um, um, wavelength_micron, wl
+  n                 n, index, refractive_index
+  k, if it absorbs  k, kappa, extinction, extinction_coefficient
+';' or tabs may separate them, and then ',' is a decimal point; two tables, wl,n above wl,k, are joined.
 Beyond its range a formula is continued over 360..830 nm and then held; a table holds its end value; a warning says so.
 
 Examples:

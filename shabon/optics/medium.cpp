@@ -16,6 +16,9 @@ struct Medium::Content {
 
 namespace {
 
+// Of the volume of a mixture. A continued formula is rarely off by 0.01, which moves the mixture's index by 2e-4 then.
+constexpr double too_little_to_tell = 0.02;
+
 // A medium of its own has one source; a mixture is told part by part.
 template <class Asked>
 std::string note_of(const Medium& medium, const MediumIndex& index, const Asked& asked) {
@@ -24,6 +27,7 @@ std::string note_of(const Medium& medium, const MediumIndex& index, const Asked&
   if (const auto* mixture = std::get_if<MixtureIndex>(&index)) {
     std::string text;
     for (const MixturePart& part : mixture->parts) {
+      if (part.fraction <= too_little_to_tell) continue;
       const std::string note = part.medium.outside_range_note(asked);
       if (!note.empty()) text += (text.empty() ? medium.name() + ": " : ", and ") + note;
     }

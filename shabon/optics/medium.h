@@ -104,7 +104,8 @@ class Medium {
   bool covers(double wavelength_nm) const;
 
   // One sentence for that warning, of what index() does at those of the wavelengths asked that the source does not
-  // cover: "water: its source covers 182..1129 nm; above, the value at 1129 nm is held". Empty when it covers them all.
+  // cover: "water: its source covers 182..1129 nm; above, the value at 1129 nm is held". Empty when it covers them all;
+  // parts of at most 2 % of a mixture are not told.
   std::string outside_range_note(std::span<const double> wavelengths_nm) const;
   std::string outside_range_note(WavelengthRange asked) const;  // every wavelength of a range
 

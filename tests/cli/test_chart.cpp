@@ -242,6 +242,50 @@ TEST(Chart, SaysWhatIsDrawn) {
   EXPECT_EQ(quartz.find(">0.010<"), std::string::npos);
 }
 
+// What enters a metal is seen by nobody; it is shown where it is asked for, and said.
+TEST(Chart, LightThatEntersAnAbsorbingMediumIsNotShownUnasked) {
+  const Arguments oxide = {"chart", "newton", "air | TiO2 0nm | Ti", "--thickness", "0:100nm:50nm", "--format", "csv"};
+  const Outcome usual = run(oxide), both = run(oxide + Arguments{"--side", "both"});
+  EXPECT_EQ(usual.exit_code, 0);
+  EXPECT_EQ(usual.out.find("transmitted,"), std::string::npos);
+  EXPECT_NE(usual.out.find("# Reflected light only: Ti absorbs"), std::string::npos) << usual.out;
+  EXPECT_NE(usual.err.find("Reflected light only: Ti absorbs"), std::string::npos) << usual.err;
+  EXPECT_NE(both.out.find("transmitted,"), std::string::npos);
+  EXPECT_NE(both.err.find("Ti absorbs: transmitted is the light that enters it"), std::string::npos) << both.err;
+  // Glass, whose k is 1e-8, is as good as clear.
+  EXPECT_NE(result_of({"chart", "newton", "air | MgF2 0nm | glass", "--format", "csv"}).find("transmitted,"),
+            std::string::npos);
+}
+
+TEST(Chart, WithoutInterferenceThereAreNoOrders) {
+  for (const Arguments& film :
+       {Arguments{"air | glass 1mm incoherent | air"}, Arguments{"air | water 0nm | air", "--interference", "none"}}) {
+    const std::string svg = result_of(Arguments{"chart", "newton"} + film + Arguments{"--format", "svg"});
+    EXPECT_EQ(svg.find("order"), std::string::npos);
+    EXPECT_EQ(svg.find("Orders:"), std::string::npos);
+    const std::string map = result_of(Arguments{"chart", "angle"} + film +
+                                      Arguments{"--curves", "--thickness", "0:500nm:50nm", "--format", "svg"});
+    EXPECT_EQ(map.find("Lines:"), std::string::npos);
+  }
+}
+
+// A colour of a chart is that of `color`, whose default it shares.
+TEST(Chart, DrawsWhatColorTells) {
+  const io::CsvTable chart =
+      table_of({"chart", "newton", "--thickness", "100:300nm:100nm", "--exposure", "0", "--format", "csv"});
+  const io::YamlDocument color = json_of({"color", "air | water 200nm | air", "--format", "json"});
+  EXPECT_EQ(texts(chart, "hex")[1], io::find(color.root, "hex_mapped")->text);
+}
+
+// Films whose fringes are finer than 1 nm of wavelength have the colours of incoherent ones.
+TEST(Chart, VeryThickFilmsAreNotAliased) {
+  const auto thick = column(
+      table_of({"chart", "newton", "--thickness", "0:1e9nm:5e7nm", "--side", "reflected", "--format", "csv"}), "Y");
+  const double incoherent =
+      numbers(json_of({"color", "air | water 1mm incoherent | air", "--format", "json"}).root, "XYZ")[1];
+  for (std::size_t i = 1; i < thick.size(); ++i) EXPECT_NEAR(thick[i], incoherent, 1e-5) << i;
+}
+
 // An order is 550 nm of path difference: 550 / (2 n cos) of thickness.
 TEST(Chart, OrdersFollowTheIndexAndTheAngle) {
   const auto first_end = [](const std::string& index, const std::string& angle) {

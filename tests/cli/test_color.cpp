@@ -65,6 +65,32 @@ TEST(Color, SaysWhetherTheColourFitsIntoSrgb) {
   EXPECT_EQ(numbers(black.root, "xy"), (std::vector<double>{0, 0}));
 }
 
+// 1.0000000000000002 is 1: roundings of the sums are not outside.
+TEST(Color, WhiteUnderTheLampIsInside) {
+  for (const char* lamp : {"D65", "A", "E", "FL11"}) {
+    const io::YamlDocument white = json_of(
+        {"color", "1 | 1 1nm | 1", "--transmitted", "--illuminant", lamp, "--adapt", "bradford", "--format", "json"});
+    EXPECT_EQ(io::find(white.root, "in_gamut")->text, "true") << lamp;
+  }
+}
+
+TEST(Color, SaysWhenTransmittedLightIsAbsorbed) {
+  const Outcome metal = run({"color", "air | TiO2 60nm | Ti", "--transmitted"});
+  EXPECT_EQ(metal.exit_code, 0);
+  EXPECT_NE(metal.err.find("Ti absorbs: transmitted is the light that enters it"), std::string::npos) << metal.err;
+  EXPECT_EQ(run({"color", "air | TiO2 60nm | Ti"}).err, "");
+  EXPECT_EQ(run({"color", "air | TiO2 60nm | glass", "--transmitted"}).err, "");
+}
+
+TEST(Color, SlipsAreUnderstood) {
+  EXPECT_NE(run({"color", "air | glass 1mm incoherant | air"}).err.find("did you mean 'incoherent'?"),
+            std::string::npos);
+  EXPECT_NE(run({"color", "air | Xyzzy 1nm | air"}).err.find("'shabon media' lists them"), std::string::npos);
+  const std::string help = run({"color", "--help"}).out;
+  EXPECT_NE(help.find("(1000..100000 K)"), std::string::npos);
+  EXPECT_NE(help.find("(4000..25000 K)"), std::string::npos);
+}
+
 TEST(Color, TextHasASwatchOnlyWhereItIsWanted) {
   const auto text = [](std::vector<std::pair<std::string, std::string>> environment) {
     Setting setting;

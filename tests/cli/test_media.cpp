@@ -66,6 +66,36 @@ TEST(MediaTables, WarnOfWavelengthsOutsideTheRange) {
             "warning: TiO2-rutile: its source covers 430..1530 nm; below, the formula is continued\n");
 }
 
+// What the help lists is what is read.
+TEST(MediaTables, HelpNamesTheColumns) {
+  const std::string help = run({"media", "--help"}).out;
+  const TemporaryFolder folder;
+  int names = 0;
+  for (const char* kind : {"wavelength in nm  ", "wavelength in um  ", "n                 ", "k, if it absorbs  "}) {
+    const std::size_t begin = help.find(kind);
+    ASSERT_NE(begin, std::string::npos) << help;
+    const std::string list = help.substr(begin + 18, help.find('\n', begin) - begin - 18);
+    for (const std::string_view part : split(list, ',')) {
+      const std::string name(trim(part)), first = kind[0] == 'w' ? name : "nm", n = kind[0] == 'n' ? name : "n",
+                                          k = kind[0] == 'k' ? name : "k";
+      const bool um = std::string_view(kind).find(" um") != std::string_view::npos;
+      const auto file = folder.write("a.csv", first + "," + n + "," + k + (um ? "\n0.5,1.5,0.1\n" : "\n500,1.5,0.1\n"));
+      EXPECT_EQ(column(table_of({"media", "file:" + file.string(), "--wavelengths", "500", "--format", "csv"}), "k"),
+                std::vector<double>{0.1})
+          << name;
+      ++names;
+    }
+  }
+  EXPECT_GT(names, 15);
+}
+
+TEST(MediaTables, AFileWithoutASourceLeavesNoEmptyLine) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "nm,n\n500,1.5\n");
+  const std::string text = result_of({"media", "file:" + file.string(), "--wavelengths", "500"});
+  EXPECT_NE(text.find("500..500 nm\n\n "), std::string::npos) << text;
+}
+
 TEST(MediaTables, Drawings) {
   const TemporaryFolder folder;
   Setting setting;

@@ -122,6 +122,13 @@ TEST(Spectrum, SvgIsADrawing) {
   }
 }
 
+TEST(Spectrum, SaysThatPowersDoNotAddUpBehindAnAbsorbingMedium) {
+  const Outcome outcome = run({"spectrum", "Ag | 1.5 100nm | 1", "--angle", "30", "--wavelengths", "500"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err.rfind("warning: Ag absorbs, and light comes through it", 0), 0u) << outcome.err;
+  EXPECT_EQ(run({"spectrum", "glass | 1.3 100nm | Ag", "--wavelengths", "500"}).err, "");
+}
+
 TEST(Spectrum, WarnsOnceForEachMediumBeyondItsRange) {
   const Outcome outcome = run({"spectrum", "water | water 300nm | air", "--wavelengths", "100:2000:100"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -188,5 +188,29 @@ TEST(Media, EveryEntryIsUsable) {
   EXPECT_EQ(medium_named("watr").errors()[0].message, "unknown medium 'watr'; did you mean 'water'?");
 }
 
+TEST(Medium, ClearMediaLoseTheirAbsorption) {
+  for (const MediumEntry& entry : media_library()) {
+    const Medium bare = entry.medium.without_absorption();
+    EXPECT_TRUE(bare.is_lossless()) << entry.name;
+    double most_k = 0;
+    for (int nm = 360; nm <= 830; ++nm) most_k = std::max(most_k, entry.medium.index(nm).imag());
+    EXPECT_EQ(entry.medium.is_clear(), most_k <= most_k_of_clear) << entry.name;
+    if (entry.medium.form() == "mixture") continue;
+    for (const double nm : {360.0, 551.5, 830.0})
+      EXPECT_EQ(bare.index(nm), std::complex<double>(entry.medium.index(nm).real())) << entry.name;
+  }
+  EXPECT_TRUE(medium_named("glass")->is_clear());
+  EXPECT_FALSE(medium_named("glass")->is_lossless());
+  EXPECT_FALSE(medium_named("Ag")->is_clear());
+}
+
+// A hundredth of soap in water is not worth a warning; two fifths of glycerol are.
+TEST(Medium, SmallPartsOfAMixtureAreNotWarnedOf) {
+  const WavelengthRange visible{360, 830};
+  EXPECT_EQ(medium_named("soap")->outside_range_note(visible), "");
+  EXPECT_EQ(medium_named("soap-glycerol")->outside_range_note(visible),
+            "soap-glycerol: glycerol: its source covers 589.3..1050 nm; below, the formula is continued");
+}
+
 }  // namespace
 }  // namespace shabon::optics
