@@ -80,7 +80,7 @@ TEST(IlluminantNames, WhatIsWrongIsSaid) {
       {"LED-B6", "unknown illuminant 'LED-B6'; did you mean 'LED-B1'?"},
       {"candle",
        "unknown illuminant 'candle'; known: D65, A, E, D50, D55, D75, FL1..FL12, FL3.1..FL3.15, LED-B1..LED-B5, "
-       "LED-BH1, LED-RGB1, LED-V1..LED-V2, blackbody:3000K, daylight:5000K"},
+       "LED-BH1, LED-RGB1, LED-V1..LED-V2, blackbody:3000K (1000..100000 K), daylight:5000K (4000..25000 K)"},
       {"black-body:2856K", "unknown illuminant 'black-body:2856K'; did you mean 'blackbody:3000K'?"},
       {"blackbody", "expected 'blackbody:' and a temperature from 1000 to 100000 K, got ''"},
       {"blackbody:999", "expected 'blackbody:' and a temperature from 1000 to 100000 K, got '999'"},
