@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "shabon/api/reflectance_file.h"
 #include "shabon/api/resolvers.h"
+#include "shabon/api/texture_file.h"
 #include "shabon/io/image.h"
 
 namespace shabon::api {
@@ -24,6 +26,14 @@ scene::Resources file_resources(std::filesystem::path folder,
   resources.picture = [folder, tell](const std::string& file) {
     tell(folder / file);
     return io::read_image(folder / file);
+  };
+  resources.texture = [folder, tell](const std::string& file) {
+    tell(folder / file);
+    return read_texture(folder / file);
+  };
+  resources.reflectance = [folder, tell](const std::string& file) {
+    tell(folder / file);
+    return read_reflectance_file(folder / file);
   };
   return resources;
 }

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <string_view>
+#include <vector>
 
 namespace shabon {
 
@@ -31,10 +32,14 @@ struct Range {
   constexpr bool has_high() const { return high < std::numeric_limits<double>::max(); }
 };
 
+using NameList = std::vector<std::string_view> (*)();
+
 struct FieldInfo {
   std::string_view unit = {};  // "nm", "degrees", or empty
   Range range = {};            // of a number, or of every component of a vector
   bool required = false;       // otherwise the member's initial value is the default
+  NameList names = nullptr;    // of a text: the closed set it is taken from, ignoring case
+  int items = 0;               // of a list: exactly so many; 0 leaves it open
   std::string_view doc = {};   // one line
 };
 

@@ -1,13 +1,12 @@
 #include "shabon/scene/compile.h"
 
-#include <array>
-#include <map>
+#include <algorithm>
 #include <new>
 
+#include "shabon/base/text.h"
 #include "shabon/base/units.h"
-#include "shabon/color/spectrum.h"
 #include "shabon/scene/compile_environment.h"
-#include "shabon/scene/film_parts.h"
+#include "shabon/scene/compile_objects.h"
 #include "shabon/scene/override.h"
 #include "shabon/scene/scene_file.h"
 #include "shabon/scene/schema_fields.h"
@@ -32,79 +31,26 @@ RenderSettings compile_settings(const RenderDesc& render) {
   settings.interference = render.interference;
   settings.split_threshold = render.split_threshold;
   settings.max_depth = render.max_depth;
+  settings.transport = same_name(render.transport, "path") ? Transport::path : Transport::tree;
   return settings;
 }
 
-// Spheres, their films, and the one medium that all of them float in.
-class ObjectsCompiler {
- public:
-  ObjectsCompiler(Scene& scene, const Resources& resources, Problems& problems)
-      : scene_(scene), resources_(resources), problems_(problems) {}
-
-  void add(const BubbleDesc& bubble, const Path& object) {
-    const Path path{&object, about(Of<BubbleDesc>{}).name};
-    const Path film{&path, "film"};
-    const auto parts = std::visit(
-        [&](const auto& chosen) { return film_parts(chosen, film, resources_.medium, problems_); }, bubble.film);
-    if (!parts) return;
-    check_outer_media(*parts, film, problems_);
-    check_model(*parts, scene_.render.interference, film, problems_);
-    settle_medium(*parts, film);
-    warn_outside_range(parts->outside, film);
-    for (const optics::Layer& layer : parts->film.layers) warn_outside_range(layer.medium, film);
-    // -0 + 0 = 0: the two zeros are one place.
-    const std::array<double, 4> key = {bubble.center.x + 0.0, bubble.center.y + 0.0, bubble.center.z + 0.0,
-                                       bubble.radius};
-    const auto [entry, added] = place_.try_emplace(key, spheres_.size());
-    if (added) spheres_.push_back({{bubble.center, bubble.radius, 0, 0}, {}});
-    spheres_[entry->second].films.push_back(parts->film);
-  }
-
-  void finish() {
-    for (SphereInProgress& sphere : spheres_) {
-      sphere.sphere.first_film = static_cast<int>(scene_.films.size());
-      sphere.sphere.film_count = static_cast<int>(sphere.films.size());
-      scene_.spheres.push_back(sphere.sphere);
-      for (Film& film : sphere.films) scene_.films.push_back(std::move(film));
-    }
-  }
-
- private:
-  struct SphereInProgress {
-    Sphere sphere;
-    std::vector<Film> films;  // of every object with this centre and radius, outermost first
-  };
-
-  void settle_medium(const FilmParts& parts, const Path& film) {
-    if (!medium_settled_) {
-      scene_.medium = parts.outside;
-      medium_settled_ = true;
-      settled_by_ = film.text();
-    } else if (!(scene_.medium == parts.outside) && !problems_.has(film)) {
-      const Path stack{&film, "stack"};
-      problems_.add(stack, "expected the outer medium '" + scene_.medium.name() + "' of " + settled_by_ + ", got '" +
-                               parts.outside.name() + "'; all bubbles of a scene float in one medium");
-    }
-  }
-
-  void warn_outside_range(const optics::Medium& medium, const Path& film) {
-    const std::string note = medium.outside_range_note(optics::WavelengthRange{color::first_nm, color::last_nm});
-    if (note.empty()) return;
-    for (const std::string& name : warned_)
-      if (name == medium.name()) return;
-    warned_.push_back(medium.name());
-    problems_.add_warning(film, note);
-  }
-
-  Scene& scene_;
-  const Resources& resources_;
-  Problems& problems_;
-  std::vector<SphereInProgress> spheres_;
-  std::map<std::array<double, 4>, std::size_t> place_;
-  bool medium_settled_ = false;
-  std::string settled_by_;
-  std::vector<std::string> warned_;
-};
+// Whether there is any light at all.
+bool shines(const ConstantLight& light) { return light.scale > 0; }
+bool shines(const GradientLight& light) { return light.up_scale > 0 || light.down_scale > 0; }
+bool shines(const ImageLight& light) {
+  const std::vector<float>& texels = light.picture->texels;
+  return light.scale > 0 && std::any_of(texels.begin(), texels.end(), [](float v) { return v > 0; });
+}
+bool shines(const Scene& scene) {
+  if (std::visit([](const auto& light) { return shines(light); }, scene.environment.base)) return true;
+  for (const Softbox& softbox : scene.environment.softboxes)
+    if (std::visit([](const auto& light) { return light.scale > 0; }, softbox)) return true;
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+    const auto* emitter = std::get_if<EmitterSurface>(&surface);
+    return emitter != nullptr && emitter->scale > 0;
+  });
+}
 
 // `problems` may hold what reading found: then the rest is added and there is no scene.
 Result<Scene> compile_with(const SceneDesc& description, const Resources& resources, Problems& problems) {
@@ -112,15 +58,24 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   check_mapping(scene_schema(), &description, root, problems);
   Scene scene;
   scene.render = compile_settings(description.render);
+  scene.metres_per_unit = description.metres_per_unit;
   const Path environment{&root, "environment"}, objects{&root, "objects"};
-  scene.environment = compile_environment(description.environment, environment, resources, problems);
-  ObjectsCompiler compiler(scene, resources, problems);
+  LampChannels lamps(resources, problems);
+  scene.environment = compile_environment(description.environment, environment, resources, lamps, problems);
+  SceneMedia media(problems);
+  SurfaceCompiler surfaces(scene, lamps, media, resources, problems);
+  ObjectsCompiler compiler(scene, surfaces, problems);
   for (std::size_t i = 0; i < description.objects.size() && !problems.full(); ++i) {
-    const Path path{&objects, {}, static_cast<int>(i)};
-    std::visit([&](const auto& object) { compiler.add(object, path); }, description.objects[i]);
+    const int index = static_cast<int>(i);
+    compiler.add(description.objects[i], Path{&objects, {}, index}, index);
   }
+  scene.medium = media.settle();
+  compiler.finish(description.objects, objects, description.camera.position);
   if (!problems.empty()) return problems.errors();
-  compiler.finish();
+  scene.environment.channels = std::move(lamps.spectra);
+  if (!shines(scene))
+    problems.add_warning(environment,
+                         "nothing shines in this scene: every lamp is off or black, and so is the picture");
   scene.width = description.image.width;
   scene.height = description.image.height;
   scene.camera = compile_camera(description.camera, description.image);

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "shabon/base/units.h"
-#include "shabon/color/illuminant.h"
-#include "shabon/color/rgb_basis.h"
 #include "shabon/scene/schema_fields.h"
 
 namespace shabon::scene {
@@ -41,12 +38,12 @@ std::shared_ptr<const EnvironmentPicture> texels_of(const io::RgbImage& image) {
 
 class EnvironmentCompiler {
  public:
-  EnvironmentCompiler(const Path& path, const Resources& resources, Problems& problems)
-      : path_(path), resources_(resources), problems_(problems) {}
+  EnvironmentCompiler(const Path& path, const Resources& resources, LampChannels& lamps, Problems& problems)
+      : path_(path), resources_(resources), problems_(problems), lamps_(lamps) {}
 
   BaseLight base(const ConstantEnvironmentDesc& light) {
     ConstantLight result;
-    result.channel = channel(light.illuminant, below(light));
+    result.channel = lamps_.of(light.illuminant, below(light));
     result.scale = light.scale;
     return result;
   }
@@ -54,8 +51,8 @@ class EnvironmentCompiler {
   BaseLight base(const GradientEnvironmentDesc& light) {
     GradientLight result;
     const Path gradient = below(light);
-    result.up_channel = channel(light.up.illuminant, Path{&gradient, "up"});
-    result.down_channel = channel(light.down.illuminant, Path{&gradient, "down"});
+    result.up_channel = lamps_.of(light.up.illuminant, Path{&gradient, "up"});
+    result.down_channel = lamps_.of(light.down.illuminant, Path{&gradient, "down"});
     result.up_scale = light.up.scale;
     result.down_scale = light.down.scale;
     return result;
@@ -64,7 +61,7 @@ class EnvironmentCompiler {
   BaseLight base(const ImageEnvironmentDesc& light) {
     ImageLight result;
     result.picture = picture(light.file);
-    result.first_channel = picture_channels();
+    result.first_channel = lamps_.of_picture();
     result.rotation_turns = light.rotation_deg / turn_deg;
     result.scale = light.scale;
     return result;
@@ -72,7 +69,7 @@ class EnvironmentCompiler {
 
   Softbox softbox(const SoftboxDesc& light, const Path& place) {
     const math::Vec3d direction = unit(light.direction);
-    const int lamp = channel(light.illuminant, place);
+    const int lamp = lamps_.of(light.illuminant, place);
     if (const auto* round = std::get_if<RoundShapeDesc>(&light.shape))
       return round_softbox(direction, radians(round->half_angle_deg), lamp, light.scale);
     const auto& window = std::get<WindowShapeDesc>(light.shape);
@@ -80,41 +77,10 @@ class EnvironmentCompiler {
                           lamp, light.scale);
   }
 
-  std::vector<color::Spectrum> channels;
-
  private:
   template <class Light>
   Path below(const Light&) const {
     return Path{&path_, about(Of<Light>{}).name};
-  }
-
-  // One channel for each lamp that is used, whatever spelling its name has. `light` is what names the lamp.
-  int channel(const std::string& illuminant, const Path& light) {
-    const auto [entry, added] = channel_of_.try_emplace(illuminant, static_cast<int>(channels.size()));
-    if (!added) return entry->second;
-    const Path place{&light, "illuminant"};
-    color::Spectrum radiance{};
-    if (!problems_.has(place)) {
-      const Result<color::Illuminant> lamp = resources_.illuminant(illuminant);
-      if (lamp) {
-        const auto [same, is_new] = channel_of_lamp_.try_emplace(lamp->name, entry->second);
-        if (!is_new) return entry->second = same->second;
-        radiance = color::lamp_radiance(*lamp);
-        if (!lamp->note.empty()) problems_.add_warning(place, lamp->note);
-      } else {
-        for (const Diagnostic& error : lamp.errors()) problems_.add_from_file(place, error);
-      }
-    }
-    channels.push_back(radiance);
-    return entry->second;
-  }
-
-  // Red, green and blue of a picture under its lamp, (22).
-  int picture_channels() {
-    const int first = static_cast<int>(channels.size());
-    for (const color::LinearRgb primary : {color::LinearRgb{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
-      channels.push_back(color::rgb_to_radiance(primary));
-    return first;
   }
 
   std::shared_ptr<const EnvironmentPicture> picture(const std::string& file) {
@@ -136,15 +102,14 @@ class EnvironmentCompiler {
   const Path& path_;
   const Resources& resources_;
   Problems& problems_;
-  std::map<std::string, int> channel_of_;       // by what the scene says
-  std::map<std::string, int> channel_of_lamp_;  // by the lamp's own name
+  LampChannels& lamps_;
 };
 
 }  // namespace
 
 Environment compile_environment(const EnvironmentDesc& description, const Path& path, const Resources& resources,
-                                Problems& problems) {
-  EnvironmentCompiler compiler(path, resources, problems);
+                                LampChannels& lamps, Problems& problems) {
+  EnvironmentCompiler compiler(path, resources, lamps, problems);
   Environment environment;
   environment.base = std::visit([&](const auto& light) { return compiler.base(light); }, description.base);
   const Path softboxes{&path, "softboxes"};
@@ -152,7 +117,6 @@ Environment compile_environment(const EnvironmentDesc& description, const Path& 
     const Path place{&softboxes, {}, static_cast<int>(environment.softboxes.size())};
     environment.softboxes.push_back(compiler.softbox(softbox, place));
   }
-  environment.channels = std::move(compiler.channels);
   return environment;
 }
 

@@ -82,6 +82,12 @@ YamlNode& entry_of(YamlNode& node, const Mapping& mapping, const Key& key) {
   return entries.back().second;
 }
 
+// Whether one item of a plain value may be set.
+bool is_vector(const Key& key) {
+  return key.type == type_text(Of<math::Vec3d>{}, {}) || key.type == type_text(Of<Repeat>{}, {}) ||
+         key.type == type_text(Of<ColorDesc>{}, {});
+}
+
 // Follows the path down the document and its schema side by side.
 class Walk {
  public:
@@ -101,10 +107,10 @@ class Walk {
     if (node_->kind != YamlNode::Kind::mapping && node_->kind != YamlNode::Kind::null)
       return wrong_above("a mapping with keys");
     node_ = &entry_of(*node_, *mapping_, *key);
-    mapping_ = key->below;
+    mapping_ = key->below == nullptr ? nullptr : &key->below();
     described_ = name;
     expects_index_ = key->is_list;
-    holds_items_ = key->is_list || key->type == type_text(Of<math::Vec3d>{}, {}) ? key->type : "";
+    holds_items_ = key->is_list || is_vector(*key) ? key->type : "";
     walked_ += (walked_.empty() ? "" : ".") + std::string(name);
     return Done{};
   }

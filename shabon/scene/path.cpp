@@ -33,6 +33,15 @@ std::string Path::text() const {
   return result + std::string(key);
 }
 
+KeptPath::KeptPath(const Path& path) {
+  for (const Path* step = &path; step != nullptr; step = step->parent) steps_.insert(steps_.begin(), *step);
+  for (const Path& step : steps_) keys_.emplace_back(step.key);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    steps_[i].parent = i == 0 ? nullptr : &steps_[i - 1];
+    steps_[i].key = keys_[i];
+  }
+}
+
 const io::YamlNode& nearest_node(const io::YamlNode& root, const Path& path) { return *follow(root, path).node; }
 
 }  // namespace shabon::scene

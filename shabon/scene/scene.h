@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "shabon/color/spectrum.h"
@@ -21,8 +22,9 @@ namespace shabon::scene {
 // which one has a thickness of its own at each place.
 struct Film {
   std::vector<optics::Layer> layers;
-  std::size_t varied_layer = 0;    // index into layers
-  film::ThicknessModel thickness;  // of that layer, in place of the one written there
+  std::size_t varied_layer = 0;                        // index into layers
+  film::ThicknessModel thickness;                      // of that layer, in place of the one written there
+  std::optional<NumberTexture> thickness_map_nm = {};  // in place of `thickness`; never on Scene::spheres
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of
@@ -66,7 +68,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Surface> surfaces;
   std::vector<color::Spectrum> reflectances;  // 0..1 at 1 nm
-  double metres_per_unit = 0.01;                 // how long the scene's unit is, for the absorption in solids
+  double metres_per_unit = 0.01;              // how long the scene's unit is, for the absorption in solids
   Environment environment;
 };
 

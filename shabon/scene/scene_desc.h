@@ -9,10 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "shabon/film/thickness.h"
 #include "shabon/io/yaml.h"
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
+#include "shabon/scene/film_desc.h"
+#include "shabon/scene/lamp_desc.h"
+#include "shabon/scene/shape_desc.h"
 
 namespace shabon::scene {
 
@@ -32,12 +34,7 @@ struct RenderDesc {
   std::uint64_t seed = 1;
   double split_threshold = 1e-3;
   int max_depth = 64;
-};
-
-// A lamp's spectrum, `scale` times as bright as one seen directly with Y = 1.
-struct LampDesc {
-  std::string illuminant = "D65";
-  double scale = 1;
+  std::string transport = "tree";
 };
 
 struct ConstantEnvironmentDesc : LampDesc {};
@@ -71,26 +68,6 @@ struct EnvironmentDesc {
   std::vector<SoftboxDesc> softboxes;
 };
 
-// A film of one medium between air on both sides.
-struct MediumFilmDesc {
-  std::string medium = "water";  // a name, a number such as 1.33 or 1.33+0.01i, or file:PATH
-  film::ThicknessModel thickness;
-};
-
-// The layer of a stack whose thickness differs from place to place, in place of the one written in the stack.
-struct VariedLayerDesc {
-  int layer = 1;  // the outermost is 1
-  film::ThicknessModel thickness;
-};
-
-// A stack expression, from the outside to the inside.
-struct StackFilmDesc {
-  std::string stack = "air | water 400nm | air";
-  std::optional<VariedLayerDesc> vary = {};
-};
-
-using FilmDesc = std::variant<MediumFilmDesc, StackFilmDesc>;
-
 struct BubbleDesc {
   math::Vec3d center{0, 0, 0};
   double radius = 1;
@@ -98,12 +75,13 @@ struct BubbleDesc {
 };
 
 // The closed set of objects.
-using ObjectDesc = std::variant<BubbleDesc>;
+using ObjectDesc = std::variant<BubbleDesc, SphereDesc, QuadDesc, DiskDesc, CylinderDesc, TriangleDesc>;
 
 inline constexpr int scene_file_version = 1;
 
 struct SceneDesc {
   int shabon = scene_file_version;
+  double metres_per_unit = 1;
   ImageDesc image;
   CameraDesc camera;
   RenderDesc render;

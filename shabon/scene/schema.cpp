@@ -104,6 +104,12 @@ void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& 
   if (!choice_given) problems.add(node, path, missing_message(mapping.names_of_choices()));
 }
 
+void check_length(std::size_t length, const FieldInfo& info, const Path& path, Problems& problems) {
+  const auto expected = static_cast<std::size_t>(info.items);
+  if (expected > 0 && length != expected && !problems.has(path))
+    problems.add(path, "expected " + std::to_string(expected) + " items, got " + std::to_string(length));
+}
+
 void check_mapping(const Mapping& mapping, const void* object, const Path& path, Problems& problems) {
   const int chosen = mapping.choices.empty() ? Key::common : mapping.chosen(object);
   for (const Key& key : mapping.keys) {

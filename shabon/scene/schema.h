@@ -22,10 +22,11 @@ struct Key {
 
   std::string_view key;
   FieldInfo info;
-  std::string type;                // "number", "[x, y, z]", "list of mappings", ...
-  std::string initial;             // the default as it would be written, or empty
-  int choice = common;             // index into Mapping::choices when the key belongs to only one of them
-  const Mapping* below = nullptr;  // of a mapping, or of the items of a list of mappings
+  std::string type;     // "number", "[x, y, z]", "list of mappings", ...
+  std::string initial;  // the default as it would be written, or empty
+  int choice = common;  // index into Mapping::choices when the key belongs to only one of them
+  // Of a mapping, or of the items of a list of mappings. A function, as a mapping may stand below itself.
+  const Mapping& (*below)() = nullptr;
   bool is_list = false;
 
   // Turns the node into the member; what cannot be understood is a problem and leaves the member alone.
@@ -37,6 +38,7 @@ struct Key {
 // Keys of one struct. With choices (a std::variant), a mapping must hold keys of exactly one of them.
 struct Mapping {
   std::vector<Key> keys;
+  std::string_view section;  // heading of its own table in the reference, or empty
   std::vector<About> choices;
   std::function<void(void* object, int choice)> choose;  // makes the variant hold that choice
   std::function<int(const void* object)> chosen;         // which one it holds
@@ -54,5 +56,8 @@ const Mapping& scene_schema();
 
 void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& path, void* object, Problems& problems);
 void check_mapping(const Mapping& mapping, const void* object, const Path& path, Problems& problems);
+
+// Whether a list has as many items as its field asks for.
+void check_length(std::size_t length, const FieldInfo& info, const Path& path, Problems& problems);
 
 }  // namespace shabon::scene

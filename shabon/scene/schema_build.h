@@ -10,18 +10,12 @@
 #include <vector>
 
 #include "shabon/base/field.h"
+#include "shabon/scene/choice.h"
+#include "shabon/scene/indirect.h"
 #include "shabon/scene/schema.h"
 #include "shabon/scene/value.h"
 
 namespace shabon::scene {
-
-// A std::variant member whose alternatives' keys stand in the same mapping: exactly one of them.
-template <class Struct, class Variant>
-struct Choice {
-  Variant Struct::*member;
-};
-template <class Struct, class Variant>
-Choice(Variant Struct::*) -> Choice<Struct, Variant>;
 
 template <class T>
 const Mapping& mapping_of();
@@ -44,6 +38,10 @@ template <class T>
 inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_indirect = false;
+template <class T>
+inline constexpr bool is_indirect<Indirect<T>> = true;
 
 template <class V>
 void read_member(const io::YamlNode& node, const FieldInfo& info, const Path& path, V& value, Problems& problems) {
@@ -55,6 +53,8 @@ void read_member(const io::YamlNode& node, const FieldInfo& info, const Path& pa
     } else {
       read_member(node, info, path, value.emplace(), problems);
     }
+  } else if constexpr (is_indirect<V>) {
+    read_member(node, info, path, *value, problems);
   } else if constexpr (is_list<V>) {
     if (node.kind != io::YamlNode::Kind::sequence)
       return problems.add(node, path, "expected a list, got " + io::describe(node));
@@ -72,7 +72,10 @@ template <class V>
 void check_member(const V& value, const FieldInfo& info, const Path& path, Problems& problems) {
   if constexpr (is_optional<V>) {
     if (value) check_member(*value, info, path, problems);
+  } else if constexpr (is_indirect<V>) {
+    check_member(*value, info, path, problems);
   } else if constexpr (is_list<V>) {
+    check_length(value.size(), info, path, problems);
     for (std::size_t i = 0; i < value.size() && !problems.full(); ++i)
       check_member(value[i], info, Path{&path, {}, static_cast<int>(i)}, problems);
   } else if constexpr (PlainValue<V>) {
@@ -88,17 +91,20 @@ void describe_member(const V& initial, Key& key) {
   if constexpr (is_optional<V>) {
     describe_member(typename V::value_type{}, key);
     key.initial = "none";
+  } else if constexpr (is_indirect<V>) {
+    describe_member(*initial, key);
   } else if constexpr (is_list<V>) {
     describe_member(typename V::value_type{}, key);
     key.type = "a list";
-    key.initial = "empty";
+    if (key.info.items > 0) key.type += " of " + std::to_string(key.info.items);
+    key.initial = key.info.required ? "" : "empty";
     key.is_list = true;
   } else if constexpr (PlainValue<V>) {
     key.type = type_text(Of<V>{}, key.info);
     if (!key.info.required) key.initial = value_text(initial);
   } else {
     key.type = "a mapping";
-    key.below = &mapping_of<V>();
+    key.below = &mapping_of<V>;
   }
 }
 
@@ -178,9 +184,16 @@ void add(Mapping& mapping, const Choice<Struct, Variant>& choice) {
   add_choices<Variant>(mapping, [member](void* object) -> Variant& { return static_cast<T*>(object)->*member; });
 }
 
+// Whether T's keys have a table of their own in the reference: they stand in many places, or within themselves.
+template <class T>
+concept HasSection = requires {
+  section(Of<T>{});
+};
+
 template <class T>
 Mapping build_mapping() {
   Mapping mapping;
+  if constexpr (HasSection<T>) mapping.section = section(Of<T>{});
   if constexpr (is_variant<T>) {
     add_choices<T>(mapping, [](void* object) -> T& { return *static_cast<T*>(object); });
   } else {

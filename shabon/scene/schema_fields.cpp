@@ -17,6 +17,11 @@ constexpr double parallel_sine = 1e-6;    // a view this near to `up` leaves the
 
 double length_of(const math::Vec3d& v) { return std::hypot(v.x, v.y, v.z); }
 
+void check_file_name(const std::string& file, const Path& path, Problems& problems) {
+  const Path place{&path, "file"};
+  if (!problems.has(place) && file.empty()) problems.add(place, "expected a file name, got an empty text");
+}
+
 // Files are not read here; a film that names one is checked again when it is compiled.
 template <class FilmDescription>
 void check_film(const FilmDescription& film, const Path& path, Problems& problems) {
@@ -29,7 +34,7 @@ void check_film(const FilmDescription& film, const Path& path, Problems& problem
         return optics::Medium();
       },
       problems);
-  if (parts && !names_file) check_outer_media(*parts, path, problems);
+  if (parts && !names_file) check_outer_media(parts->outside, parts->inside, Path{&path, "stack"}, problems);
 }
 
 }  // namespace
@@ -75,12 +80,41 @@ void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
 }
 
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems) {
-  const Path file{&path, "file"};
-  if (!problems.has(file) && environment.file.empty()) problems.add(file, "expected a file name, got an empty text");
+  check_file_name(environment.file, path, problems);
 }
 
 void check(const MediumFilmDesc& film, const Path& path, Problems& problems) { check_film(film, path, problems); }
 void check(const StackFilmDesc& film, const Path& path, Problems& problems) { check_film(film, path, problems); }
+
+void check(const NumberMapDesc& map, const Path& path, Problems& problems) {
+  check_file_name(map.file, path, problems);
+}
+void check(const ColorMapDesc& map, const Path& path, Problems& problems) { check_file_name(map.file, path, problems); }
+void check(const ThicknessMapDesc& map, const Path& path, Problems& problems) {
+  check_file_name(map.file, path, problems);
+  if (map.low_nm.has_value() != map.high_nm.has_value() && !problems.has(path))
+    problems.add(path, "expected both of 'low_nm' and 'high_nm', or none, got one");
+}
+
+void check(const DiskDesc& disk, const Path& path, Problems& problems) {
+  const Path hole{&path, "hole_radius"};
+  if (!problems.has(hole) && !problems.has(Path{&path, "radius"}) && disk.hole_radius >= disk.radius)
+    problems.add(hole,
+                 "expected less than the radius " + value_text(disk.radius) + ", got " + value_text(disk.hole_radius));
+}
+
+void check(const TriangleDesc& triangle, const Path& path, Problems& problems) {
+  const Path corners{&path, "corners"};
+  if (problems.has(corners)) return;
+  const math::Vec3d &a = triangle.corners[0], &b = triangle.corners[1], &c = triangle.corners[2];
+  const double longest = std::max({length_of(b - a), length_of(c - b), length_of(a - c)});
+  const double across = length_of(math::cross(b - a, c - a));  // twice the area
+  if (!(across > parallel_sine * longest * longest))
+    problems.add(corners, "expected three corners that are not on one line, got " + value_text(a) + ", " +
+                              value_text(b) + " and " + value_text(c));
+}
+
+std::vector<std::string_view> transport_names() { return {"tree", "path"}; }
 
 void check(const SceneDesc& scene, const Path& path, Problems& problems) {
   const bool averaged = scene.render.interference == optics::Interference::two_beam;

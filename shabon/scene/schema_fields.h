@@ -7,28 +7,13 @@
 #include <vector>
 
 #include "shabon/base/field.h"
-#include "shabon/optics/stack.h"
+#include "shabon/scene/ranges.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/schema_build.h"
 
 namespace shabon::scene {
 
 inline constexpr Range version_range{.low = scene_file_version, .high = scene_file_version};
-// Coordinates up to here keep ten digits of a unit in double, enough for interference-smooth normals.
-inline constexpr Range coordinate_range{.low = -1e6, .high = 1e6};
-inline constexpr Range radius_range{.low = 0, .high = 1e6, .low_open = true};
-inline constexpr Range angle_range_deg{.low = -36000, .high = 36000};  // a hundred turns
-inline constexpr Range below_half_turn_deg{.low = 0, .high = 180, .low_open = true, .high_open = true};
-inline constexpr Range up_to_half_turn_deg{.low = 0, .high = 180, .low_open = true};
-inline constexpr Range scale_range{.low = 0, .high = 1e9};  // its square still fits a float
-inline constexpr Range side_range{.low = 1, .high = 65536};
-inline constexpr Range samples_range{.low = 1, .high = 1e6};
-inline constexpr Range seed_range{.low = 0};
-// Below 1e-7, where a probe cuts too, the tree of paths grows and the picture does not change.
-inline constexpr Range split_range{.low = 1e-7, .high = 1};
-inline constexpr Range depth_range{.low = 1, .high = 1024};
-inline constexpr Range layer_range{.low = 1, .high = optics::most_layers};
-inline constexpr double most_pixels = 1 << 28;
 
 constexpr auto fields(Of<ImageDesc>) {
   return std::tuple{
@@ -55,6 +40,8 @@ constexpr auto fields(Of<CameraDesc>) {
              .doc = "axis of an ideal linear polariser before the lens, from image right towards image up"}}};
 }
 
+std::vector<std::string_view> transport_names();
+
 constexpr auto fields(Of<RenderDesc>) {
   return std::tuple{
       Field{"samples", &RenderDesc::samples, {.range = samples_range, .doc = "camera samples per pixel"}},
@@ -63,16 +50,11 @@ constexpr auto fields(Of<RenderDesc>) {
       Field{"split_threshold",
             &RenderDesc::split_threshold,
             {.range = split_range, .doc = "branches that carry more are split, others chosen at random, (26)"}},
-      Field{"max_depth", &RenderDesc::max_depth, {.range = depth_range, .doc = "surface events along one path, (27)"}}};
-}
-
-constexpr auto fields(Of<LampDesc>) {
-  return std::tuple{
-      Field{"illuminant",
-            &LampDesc::illuminant,
-            {.doc = "lamp that gives the spectrum: a name such as D65, A, FL11, LED-B3 (`shabon lamps` lists them), "
-                    "blackbody:3000K, daylight:5000K, or file:PATH"}},
-      Field{"scale", &LampDesc::scale, {.range = scale_range, .doc = "brightness; 1 has Y = 1 when seen directly"}}};
+      Field{"max_depth", &RenderDesc::max_depth, {.range = depth_range, .doc = "surface events along one path, (27)"}},
+      Field{"transport",
+            &RenderDesc::transport,
+            {.names = transport_names,
+             .doc = "how paths are followed: both branches at a film, or one path, as a check"}}};
 }
 
 constexpr About about(Of<ConstantEnvironmentDesc>) {
@@ -139,32 +121,6 @@ constexpr auto fields(Of<EnvironmentDesc>) {
                           {.doc = "lamps at infinity; their light adds to the base and to each other"}}};
 }
 
-constexpr About about(Of<MediumFilmDesc>) { return {.name = "medium", .doc = "one medium", .flat = true}; }
-constexpr auto fields(Of<MediumFilmDesc>) {
-  return std::tuple{
-      Field{"medium",
-            &MediumFilmDesc::medium,
-            {.required = true, .doc = "name of a medium, index such as 1.33 or 1.33+0.01i, or file:PATH"}},
-      Field{"thickness", &MediumFilmDesc::thickness, {.required = true, .doc = "how thick the film is, and where"}}};
-}
-
-constexpr auto fields(Of<VariedLayerDesc>) {
-  return std::tuple{
-      Field{"layer", &VariedLayerDesc::layer, {.range = layer_range, .doc = "its number, from 1 at the outside"}},
-      Field{"thickness",
-            &VariedLayerDesc::thickness,
-            {.required = true, .doc = "its thickness, in place of the one written in the stack"}}};
-}
-
-constexpr About about(Of<StackFilmDesc>) { return {.name = "stack", .doc = "a stack expression", .flat = true}; }
-constexpr auto fields(Of<StackFilmDesc>) {
-  return std::tuple{
-      Field{"stack",
-            &StackFilmDesc::stack,
-            {.required = true, .doc = "instead: outside | layers | inside, as in \"air | water 300nm | air\""}},
-      Field{"vary", &StackFilmDesc::vary, {.doc = "with a stack: one of its layers and how thick it is, and where"}}};
-}
-
 constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }
 constexpr auto fields(Of<BubbleDesc>) {
   return std::tuple{Field{"center", &BubbleDesc::center, {.range = coordinate_range, .doc = "its centre"}},
@@ -175,6 +131,9 @@ constexpr auto fields(Of<BubbleDesc>) {
 constexpr auto fields(Of<SceneDesc>) {
   return std::tuple{
       Field{"shabon", &SceneDesc::shabon, {.range = version_range, .required = true, .doc = "version of the format"}},
+      Field{"metres_per_unit",
+            &SceneDesc::metres_per_unit,
+            {.unit = "m", .range = unit_range_m, .doc = "length of the scene's unit, for the absorption in solids"}},
       Field{"image", &SceneDesc::image, {.doc = "size of the picture; pixels are square"}},
       Field{"camera", &SceneDesc::camera, {.doc = "where the picture is taken from"}},
       Field{"render", &SceneDesc::render, {.doc = "how the picture is computed"}},
@@ -187,11 +146,8 @@ constexpr auto fields(Of<SceneDesc>) {
 // Rules between members of one struct. They keep silent where the members themselves are wrong.
 void check(const ImageDesc& image, const Path& path, Problems& problems);
 void check(const CameraDesc& camera, const Path& path, Problems& problems);
-void check(const LampDesc& lamp, const Path& path, Problems& problems);
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems);
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems);
-void check(const MediumFilmDesc& film, const Path& path, Problems& problems);
-void check(const StackFilmDesc& film, const Path& path, Problems& problems);
 void check(const SceneDesc& scene, const Path& path, Problems& problems);
 
 }  // namespace shabon::scene

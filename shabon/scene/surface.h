@@ -1,8 +1,11 @@
 // What a shape is made of: THE list of surfaces. docs/adding-a-surface.md adds one.
 #pragma once
 
+#include <string_view>
+#include <tuple>
 #include <variant>
 
+#include "shabon/scene/choice.h"
 #include "shabon/scene/surfaces/conductor.h"
 #include "shabon/scene/surfaces/dielectric.h"
 #include "shabon/scene/surfaces/diffuse.h"
@@ -14,7 +17,22 @@
 
 namespace shabon::scene {
 
+// Each surface is two plain structs in a file of surfaces/: the one of the renderer, and what a scene file says of it
+// (...Desc) with about() and fields(); compile() makes one from the other.
 using Surface = std::variant<FreeFilmSurface, DielectricSurface, ConductorSurface, PaneSurface, DiffuseSurface,
                              GlossySurface, EmitterSurface, MixSurface, MaskSurface>;
+
+// The same list in the same order. A struct, as surfaces hold surfaces.
+struct SurfaceDesc {
+  std::variant<FreeFilmSurfaceDesc, DielectricSurfaceDesc, ConductorSurfaceDesc, PaneSurfaceDesc, DiffuseSurfaceDesc,
+               GlossySurfaceDesc, EmitterSurfaceDesc, MixSurfaceDesc, MaskSurfaceDesc>
+      chosen;
+};
+
+constexpr std::string_view section(Of<SurfaceDesc>) { return "surface"; }
+constexpr auto fields(Of<SurfaceDesc>) { return std::tuple{Choice{&SurfaceDesc::chosen}}; }
+
+// A mix of mixes of masks: more than this within each other is a slip.
+inline constexpr int most_nested_surfaces = 8;
 
 }  // namespace shabon::scene

@@ -125,6 +125,41 @@ bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& pat
   return false;
 }
 
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, bool& value, Problems& problems) {
+  const bool plain = is_plain_scalar(node);
+  if (!plain || (node.text != "true" && node.text != "false"))
+    return wrong_type(node, path, type_text(Of<bool>{}, info), problems);
+  value = node.text == "true";
+  return true;
+}
+
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, Repeat& value, Problems& problems) {
+  if (node.kind != io::YamlNode::Kind::sequence || node.items.size() != 2)
+    return wrong_type(node, path, type_text(Of<Repeat>{}, info), problems);
+  Repeat read;
+  const bool u = read_value(node.items[0], info, Path{&path, {}, 0}, read.u, problems);
+  const bool v = read_value(node.items[1], info, Path{&path, {}, 1}, read.v, problems);
+  if (u && v) value = read;
+  return u && v;
+}
+
+bool read_value(const io::YamlNode& node, const FieldInfo& info, const Path& path, ColorDesc& value,
+                Problems& problems) {
+  if (node.kind == io::YamlNode::Kind::sequence) {
+    math::Vec3d rgb;
+    if (!read_value(node, info, path, rgb, problems)) return false;
+    value.value = rgb;
+    return true;
+  }
+  if (node.kind != io::YamlNode::Kind::scalar)
+    return wrong_type(node, path, type_text(Of<ColorDesc>{}, info), problems);
+  if (const auto number = is_plain_scalar(node) ? parse_number(node.text) : std::nullopt)
+    value.value = *number;
+  else
+    value.value = node.text;
+  return true;
+}
+
 void check_value(double value, const FieldInfo& info, const Path& path, Problems& problems) {
   check_range(value, value_text(value), info, path, problems);
 }
@@ -137,11 +172,33 @@ void check_value(std::uint64_t value, const FieldInfo& info, const Path& path, P
   check_range(static_cast<double>(value), value_text(value), info, path, problems);
 }
 
-void check_value(const std::string&, const FieldInfo&, const Path&, Problems&) {}
+void check_value(const std::string& value, const FieldInfo& info, const Path& path, Problems& problems) {
+  if (info.names == nullptr || problems.has(path)) return;
+  const std::vector<std::string_view> names = info.names();
+  for (std::string_view name : names)
+    if (same_name(name, value)) return;
+  problems.add(path, unknown_name(path.key, value, names));
+}
 
 void check_value(const math::Vec3d& value, const FieldInfo& info, const Path& path, Problems& problems) {
   const double components[3] = {value.x, value.y, value.z};
   for (int i = 0; i < 3; ++i) check_value(components[i], info, Path{&path, {}, i}, problems);
+}
+
+void check_value(bool, const FieldInfo&, const Path&, Problems&) {}
+
+void check_value(const Repeat& value, const FieldInfo& info, const Path& path, Problems& problems) {
+  check_value(value.u, info, Path{&path, {}, 0}, problems);
+  check_value(value.v, info, Path{&path, {}, 1}, problems);
+}
+
+void check_value(const ColorDesc& color, const FieldInfo&, const Path& path, Problems& problems) {
+  const FieldInfo share{.range = share_range};
+  if (const auto* number = std::get_if<double>(&color.value)) return check_value(*number, share, path, problems);
+  if (const auto* rgb = std::get_if<math::Vec3d>(&color.value)) return check_value(*rgb, share, path, problems);
+  const auto& text = std::get<std::string>(color.value);
+  if (problems.has(path) || hex_color(text) || color_file(text)) return;
+  problems.add(path, "expected " + type_text(Of<ColorDesc>{}, {}) + ", got '" + printable(text, 60) + "'");
 }
 
 void check_value(optics::Interference, const FieldInfo&, const Path&, Problems&) {}
@@ -156,6 +213,12 @@ std::string type_text(Of<int>, const FieldInfo& info) {
 std::string type_text(Of<std::uint64_t>, const FieldInfo&) { return "a whole number below 2^63"; }
 std::string type_text(Of<std::string>, const FieldInfo&) { return "text"; }
 std::string type_text(Of<math::Vec3d>, const FieldInfo&) { return "three numbers [x, y, z]"; }
+
+std::string type_text(Of<bool>, const FieldInfo&) { return "true or false"; }
+std::string type_text(Of<Repeat>, const FieldInfo&) { return "two numbers [u, v]"; }
+std::string type_text(Of<ColorDesc>, const FieldInfo&) {
+  return "a colour: \"#rrggbb\" in quotes, [r, g, b], a number 0..1 or file:PATH";
+}
 
 std::string type_text(Of<optics::Interference>, const FieldInfo&) {
   std::string text;
@@ -173,6 +236,11 @@ std::string value_text(int value) { return std::to_string(value); }
 std::string value_text(std::uint64_t value) { return std::to_string(value); }
 std::string value_text(const std::string& value) { return value; }
 std::string value_text(optics::Interference value) { return std::string(optics::name_of(value)); }
+std::string value_text(bool value) { return value ? "true" : "false"; }
+std::string value_text(const Repeat& value) { return "[" + value_text(value.u) + ", " + value_text(value.v) + "]"; }
+std::string value_text(const ColorDesc& color) {
+  return std::visit([](const auto& chosen) { return value_text(chosen); }, color.value);
+}
 std::string value_text(const math::Vec3d& v) {
   return "[" + value_text(v.x) + ", " + value_text(v.y) + ", " + value_text(v.z) + "]";
 }

@@ -5,9 +5,26 @@
 
 namespace shabon::scene {
 
+class SurfaceCompiler;
+
 struct ConductorSurface {
-  Coating coating;
+  Coating coating;          // ends in an absorbing medium
   NumberTexture roughness;  // GGX alpha; 0 is smooth
 };
+
+struct ConductorSurfaceDesc : CoatingDesc, RoughnessDesc {
+  ConductorSurfaceDesc() : CoatingDesc{"air | Ti"} {}
+};
+
+constexpr About about(Of<ConductorSurfaceDesc>) {
+  return {.name = "conductor", .doc = "a metal or another medium that lets no light through"};
+}
+constexpr auto fields(Of<ConductorSurfaceDesc>) {
+  return std::tuple_cat(fields(Of<CoatingDesc>{}), fields(Of<RoughnessDesc>{}));
+}
+
+void check(const ConductorSurfaceDesc& surface, const Path& path, Problems& problems);
+std::optional<ConductorSurface> compile(const ConductorSurfaceDesc& surface, const Path& path,
+                                        SurfaceCompiler& compiler);
 
 }  // namespace shabon::scene

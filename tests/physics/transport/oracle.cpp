@@ -199,14 +199,14 @@ class Tree {
     if (const auto* film = std::get_if<scene::MediumFilmDesc>(&bubble.film)) {
       const auto found = optics::resolve_from_library(film->medium, false);
       layers = {{found ? *found : parse(film->medium + " | 1").incidence, 0, true}};
-      result.thickness = film->thickness;
+      result.thickness = *scene::thickness_model(film->thickness);
     } else {
       const auto& film_desc = std::get<scene::StackFilmDesc>(bubble.film);
       const optics::Stack stack = parse(film_desc.stack);
       layers = stack.layers;
       result.varied = film_desc.vary ? static_cast<std::size_t>(film_desc.vary->layer - 1) : 0;
       result.thickness = film::ConstantThickness{layers.at(result.varied).thickness_nm};
-      if (film_desc.vary) result.thickness = film_desc.vary->thickness;
+      if (film_desc.vary) result.thickness = *scene::thickness_model(film_desc.vary->thickness);
       for (std::size_t i = 0; i < outside_.size(); ++i) outside_[i] = stack.incidence.index(wavelengths_nm_[i]).real();
     }
     for (const optics::Layer& layer : layers) {

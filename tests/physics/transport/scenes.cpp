@@ -17,8 +17,9 @@ scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string st
 // One layer of the stack drains.
 scene::ObjectDesc stack_bubble(math::Vec3d center, double radius, std::string stack, int layer,
                                film::ThicknessModel thickness) {
-  return scene::BubbleDesc{center, radius,
-                           scene::StackFilmDesc{std::move(stack), scene::VariedLayerDesc{layer, thickness}}};
+  return scene::BubbleDesc{
+      center, radius,
+      scene::StackFilmDesc{std::move(stack), scene::VariedLayerDesc{layer, scene::thickness_desc(thickness)}}};
 }
 
 // More bubbles than are looked at one by one.
@@ -46,7 +47,7 @@ std::vector<Surroundings> make_surroundings() {
 }  // namespace
 
 scene::ObjectDesc bubble(math::Vec3d center, double radius, std::string medium, film::ThicknessModel thickness) {
-  return scene::BubbleDesc{center, radius, scene::MediumFilmDesc{std::move(medium), thickness}};
+  return scene::BubbleDesc{center, radius, scene::MediumFilmDesc{std::move(medium), scene::thickness_desc(thickness)}};
 }
 
 const std::vector<Arrangement>& arrangements() {

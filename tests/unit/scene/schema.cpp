@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <set>
@@ -16,11 +17,15 @@ namespace {
 
 using Visit = std::function<void(const Mapping&, const Key&, const std::string& path)>;
 
-void for_each_key(const Mapping& mapping, const std::string& above, const Visit& visit) {
+// A mapping within itself is not followed further.
+void for_each_key(const Mapping& mapping, const std::string& above, const Visit& visit,
+                  std::vector<const Mapping*> on_the_way = {}) {
+  if (std::find(on_the_way.begin(), on_the_way.end(), &mapping) != on_the_way.end()) return;
+  on_the_way.push_back(&mapping);
   for (const Key& key : mapping.keys) {
     const std::string path = above + (above.empty() ? "" : ".") + std::string(key.key);
     visit(mapping, key, path);
-    if (key.below != nullptr) for_each_key(*key.below, path + (key.is_list ? "[0]" : ""), visit);
+    if (key.below != nullptr) for_each_key(key.below(), path + (key.is_list ? "[0]" : ""), visit, on_the_way);
   }
 }
 
@@ -29,6 +34,11 @@ std::string allowed_value(const Key& key) {
   if (key.info.names != nullptr) return std::string(key.info.names().front());
   if (key.type == type_text(Of<math::Vec3d>{}, key.info)) return "[1, 2, " + std::to_string(key.key.size()) + "]";
   if (key.type == type_text(Of<optics::Interference>{}, key.info)) return "none";
+  if (key.type == type_text(Of<bool>{}, key.info)) return "true";
+  if (key.type == type_text(Of<Repeat>{}, key.info)) return "[2, 3]";
+  if (key.type == type_text(Of<ColorDesc>{}, key.info)) return "'#8040ff'";
+  if (key.key == "corners") return "[[0, 0, 0], [1, 2, 0], [0, 1, 7]]";
+  if (key.key == "hole_radius") return "0.5";
   if (key.key == "illuminant") return "blackbody:3000K";
   if (key.key == "medium") return "1.5";
   if (key.key == "stack") return "air | water 300nm | air";
@@ -51,9 +61,15 @@ std::string file_with(const Mapping& mapping, const std::string& above, const st
   for (const Key& key : mapping.keys) {
     if (key.choice != Key::common && key.choice != wanted) continue;
     const std::string here = above + (above.empty() ? "" : ".") + std::string(key.key);
-    std::string content = key.below == nullptr ? allowed_value(key)
-                          : key.is_list        ? "[" + file_with(*key.below, here + "[0]", path, value) + "]"
-                                               : file_with(*key.below, here, path, value);
+    std::string content;
+    if (key.below == nullptr)
+      content = allowed_value(key);
+    else if (!key.is_list)
+      content = file_with(key.below(), here, path, value);
+    else
+      for (int i = 0; i < std::max(key.info.items, 1); ++i)
+        content += (i == 0 ? "[" : ", ") + file_with(key.below(), here + "[" + std::to_string(i) + "]", path, value);
+    if (key.below != nullptr && key.is_list) content += "]";
     if (here == path) content = value;
     if (content == "(none)") continue;
     text += (text.empty() ? "" : ", ") + std::string(key.key) + ": " + content;
@@ -117,12 +133,17 @@ TEST(Schema, every_range_is_held_at_both_ends) {
   for_each_key(scene_schema(), "", [&](const Mapping&, const Key& key, const std::string& path) {
     const Range& range = key.info.range;
     const bool vector = key.type == type_text(Of<math::Vec3d>{}, key.info);
+    const bool pair = key.type == type_text(Of<Repeat>{}, key.info), points = key.key == "corners";
     const bool whole = key.type == type_text(Of<int>{}, {}) || range.low == range.high;
     const auto refuses = [&](double value, bool expected) {
       std::string text = format_number(value);
       if (whole) text = std::to_string(static_cast<long long>(value));
-      const std::string errors = errors_of(path, vector ? "[1, 2, " + text + "]" : text);
-      const std::string place = path + (vector ? "[2]: expected " : ": expected ");
+      const std::string written = vector   ? "[1, 2, " + text + "]"
+                                  : pair   ? "[1, " + text + "]"
+                                  : points ? "[[1, 2, " + text + "], [0, 1, 2], [7, 7, 8]]"
+                                           : text;
+      const std::string errors = errors_of(path, written);
+      const std::string place = path + (vector ? "[2]" : pair ? "[1]" : points ? "[0][2]" : "") + ": expected ";
       EXPECT_EQ(errors.find(place) != std::string::npos, expected) << path << " = " << text << "\n" << errors;
       ++ends;
     };

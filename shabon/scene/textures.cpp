@@ -1,0 +1,113 @@
+#include "shabon/scene/textures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shabon/color/rgb.h"
+#include "shabon/scene/value.h"
+
+namespace shabon::scene {
+
+namespace {
+
+bool well_formed(const math::Raster& raster) {
+  if (raster.width < 1 || raster.height < 1 || (raster.channels != 1 && raster.channels != 3)) return false;
+  const std::size_t texels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+  if (raster.values.size() != texels * static_cast<std::size_t>(raster.channels)) return false;
+  return std::all_of(raster.values.begin(), raster.values.end(), [](float v) { return std::isfinite(v); });
+}
+
+std::string pixel_text(const math::Raster& raster, std::size_t texel) {
+  const auto width = static_cast<std::size_t>(raster.width);
+  return "pixel (" + std::to_string(texel % width) + ", " + std::to_string(texel / width) + ")";
+}
+
+}  // namespace
+
+const TextureFile* Textures::file(const std::string& name, const Path& map) {
+  const Path place{&map, "file"};
+  if (problems_.has(place)) return nullptr;
+  auto entry = files_.find(name);
+  if (entry == files_.end()) entry = files_.emplace(name, resources_.texture(name)).first;
+  const Result<TextureFile>& loaded = entry->second;
+  if (!loaded) {
+    for (const Diagnostic& error : loaded.errors()) problems_.add_from_file(place, error);
+    return nullptr;
+  }
+  if (well_formed(loaded->raster)) return &*loaded;
+  problems_.add(place, "expected a picture of one or three channels of finite values, got one that is not");
+  return nullptr;
+}
+
+Textures::Raster Textures::scaled(const std::string& name, double low, double high, const FieldInfo& allowed,
+                                  const Path& map) {
+  const TextureFile* texture = file(name, map);
+  if (texture == nullptr) return nullptr;
+  Raster& made = numbers_[{name, low, high}];
+  if (made != nullptr) return made;
+  const math::Raster& source = texture->raster;
+  auto raster = std::make_shared<math::Raster>();
+  raster->width = source.width;
+  raster->height = source.height;
+  const auto channels = static_cast<std::size_t>(source.channels);
+  raster->values.resize(source.values.size() / channels);
+  for (std::size_t i = 0; i < raster->values.size(); ++i) {
+    double sum = 0;
+    for (std::size_t c = 0; c < channels; ++c) sum += source.values[i * channels + c];
+    const double value = low + (high - low) * (sum / static_cast<double>(channels));
+    if (!allowed.range.contains(value)) {
+      problems_.add(Path{&map, "file"}, "expected a picture with values of " + range_text(allowed) + ", got " +
+                                            value_text(value) + " in " + pixel_text(source, i));
+      return nullptr;
+    }
+    raster->values[i] = static_cast<float>(value);
+  }
+  return made = std::move(raster);
+}
+
+TexturePicture Textures::numbers(const NumberMapDesc& map, const Path& path) {
+  return {scaled(map.file, map.low, map.high, {.range = share_range}, path), map.repeat.u, map.repeat.v};
+}
+
+TexturePicture Textures::thickness_nm(const ThicknessMapDesc& map, const Path& path) {
+  const TextureFile* texture = file(map.file, path);
+  if (texture == nullptr || problems_.has(path)) return {};
+  if (texture->whole_numbers && !map.low_nm) {
+    problems_.add(path, "expected 'low_nm' and 'high_nm' beside a picture of whole numbers (" +
+                            std::to_string(texture->bits) + " bits), which holds no nanometres");
+    return {};
+  }
+  const FieldInfo allowed{.unit = "nm", .range = film::thickness_range_nm};
+  return {scaled(map.file, map.low_nm.value_or(0), map.high_nm.value_or(1), allowed, path), map.repeat.u, map.repeat.v};
+}
+
+Textures::Raster Textures::linear_rgb(const TextureFile& texture, const Path& map) {
+  const math::Raster& source = texture.raster;
+  auto raster = std::make_shared<math::Raster>();
+  raster->width = source.width;
+  raster->height = source.height;
+  raster->channels = 3;
+  raster->values.resize(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height) * 3);
+  std::size_t above = 0;
+  for (std::size_t i = 0; i < raster->values.size(); ++i) {
+    double value = source.values[source.channels == 3 ? i : i / 3];
+    if (texture.whole_numbers) value = color::decode_srgb(value);
+    above += value > 1;
+    raster->values[i] = static_cast<float>(std::clamp(value, 0.0, 1.0));
+  }
+  const Path place{&map, "file"};
+  if (above > 0) problems_.add_warning(place, std::to_string(above) + " values of the picture above 1 became 1");
+  if (texture.negatives > 0)
+    problems_.add_warning(place, std::to_string(texture.negatives) + " negative values of the picture became 0");
+  return raster;
+}
+
+TexturePicture Textures::colors(const ColorMapDesc& map, const Path& path) {
+  const TextureFile* texture = file(map.file, path);
+  if (texture == nullptr) return {};
+  Raster& raster = colors_[map.file];
+  if (raster == nullptr) raster = linear_rgb(*texture, path);
+  return {raster, map.repeat.u, map.repeat.v};
+}
+
+}  // namespace shabon::scene
