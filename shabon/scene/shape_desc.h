@@ -87,7 +87,7 @@ constexpr auto fields(Of<DiskDesc>) {
       std::tuple{Field{"radius", &DiskDesc::radius, {.range = radius_range, .doc = "its radius"}},
                  Field{"hole_radius",
                        &DiskDesc::hole_radius,
-                       {.range = {.low = 0, .high = 1e6}, .doc = "radius of the hole; less than that of the disk"}}},
+                       {.range = hole_range, .doc = "radius of the hole; less than that of the disk"}}},
       surface_field<DiskDesc>());
 }
 

@@ -38,7 +38,7 @@ std::string allowed_value(const Key& key) {
   if (key.type == type_text(Of<Repeat>{}, key.info)) return "[2, 3]";
   if (key.type == type_text(Of<ColorDesc>{}, key.info)) return "'#8040ff'";
   if (key.key == "corners") return "[[0, 0, 0], [1, 2, 0], [0, 1, 7]]";
-  if (key.key == "hole_radius") return "0.5";
+  if (key.key == "radius") return "1000000";  // larger than any hole
   if (key.key == "illuminant") return "blackbody:3000K";
   if (key.key == "medium") return "1.5";
   if (key.key == "stack") return "air | water 300nm | air";
