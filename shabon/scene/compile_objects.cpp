@@ -17,6 +17,9 @@ constexpr double smallest_size = 1e-9;
 // In units of the object's size: nearer to it than this, the camera stands on it.
 constexpr double on_surface_tolerance = 1e-9;
 
+// The time to compare all pairs grows with their square: beyond so many objects only copies are found.
+constexpr std::size_t most_compared = 1000;
+
 math::Vec3d times(const math::Vec3d& a, const math::Vec3d& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 geometry::PlacedShape placed_as(const geometry::Shape& shape, const PlacementDesc& where, const math::Vec3d& size) {
@@ -46,13 +49,62 @@ bool stands_on(const geometry::PlacedShape& placed, const math::Vec3d& point) {
   return std::visit([&](const auto& shape) { return is_on(shape, p, on_surface_tolerance); }, placed.shape);
 }
 
-bool stands_on(const Sphere& sphere, const math::Vec3d& point) {
-  const double distance = math::length(point - sphere.center);
-  return std::abs(distance - sphere.radius) <= on_surface_tolerance * sphere.radius;
-}
-
 std::string_view name_of(const ObjectDesc& object) {
   return std::visit([](const auto& chosen) { return about(Of<std::decay_t<decltype(chosen)>>{}).name; }, object);
+}
+
+// What objects are called in messages.
+struct Names {
+  const std::vector<ObjectDesc>& objects;
+  const Path& path;
+
+  std::string_view shape(int index) const { return name_of(objects[static_cast<std::size_t>(index)]); }
+  std::string of(int index) const {
+    return path.text() + "[" + std::to_string(index) + "]." + std::string(shape(index));
+  }
+};
+
+struct Placed {
+  geometry::PlacedShape shape;
+  int place_in_file;
+};
+
+// What is the same for shapes that are copies of one another.
+std::array<double, 14> identity_of(const geometry::PlacedShape& placed) {
+  double parameter = 0;
+  if (const auto* cap = std::get_if<geometry::SphereCap>(&placed.shape)) parameter = cap->cos_cap;
+  if (const auto* disk = std::get_if<geometry::Disk>(&placed.shape)) parameter = disk->hole;
+  const auto& [x, y, z, o] = placed.to_world;
+  return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, o.x, o.y, o.z, parameter, double(placed.shape.index())};
+}
+
+// The first `object_count` are no bubbles: bubbles on bubbles are met in their order.
+void warn_of_coincidence(const std::vector<Placed>& all, std::size_t object_count, const Names& names,
+                         Problems& problems) {
+  const auto warn = [&](int a, int b) {
+    if (a == b) return;  // a bubble that is an object
+    const int later = std::max(a, b);
+    const Path item{&names.path, {}, later};
+    problems.add_warning(Path{&item, names.shape(later)},
+                         "lies on " + names.of(std::min(a, b)) + ": which of the two is met first is left to rounding");
+  };
+  std::map<std::array<double, 14>, int> first_of;
+  std::vector<geometry::PlacedShape> different;
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto [entry, added] = first_of.try_emplace(identity_of(all[i].shape), all[i].place_in_file);
+    if (!added) {
+      warn(entry->second, all[i].place_in_file);
+      continue;
+    }
+    different.push_back(all[i].shape);
+    index.push_back(i);
+  }
+  if (different.size() > most_compared) return;
+  for (const auto& [first, second] : geometry::coincident(different)) {
+    const std::size_t a = index[static_cast<std::size_t>(first)], b = index[static_cast<std::size_t>(second)];
+    if (a < object_count) warn(all[a].place_in_file, all[b].place_in_file);
+  }
 }
 
 // The extents that matter, each in scene units.
@@ -73,7 +125,7 @@ bool large_enough(const ShapeDesc& shape, const Path& path, Problems& problems) 
     const double least = least_size(shape, size_of(shape));
     if (!(least >= smallest_size)) {
       problems.add(path, "expected an object of at least " + value_text(smallest_size) + " in each direction, got " +
-                             value_text(least));
+                             format_number(least, 3));
       return false;
     }
   }
@@ -145,46 +197,23 @@ void ObjectsCompiler::keep(Bubble& bubble) {
   scene_.objects.push_back({placed(shape), static_cast<int>(scene_.surfaces.size()) - 1, bubble.place_in_file});
 }
 
-void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path& objects_path,
-                             const math::Vec3d& camera) {
+void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera) {
   for (Bubble& bubble : bubbles_) keep(bubble);
-  const auto described = [&](int index) {
-    return objects_path.text() + "[" + std::to_string(index) + "]." +
-           std::string(name_of(objects[static_cast<std::size_t>(index)]));
-  };
-  const Path root, camera_path{&root, "camera"}, position{&camera_path, "position"};
-  const auto refuse_camera = [&](int index) {
-    if (!problems_.has(position))
-      problems_.add(position, "expected a place off every surface, got one on " + described(index));
-  };
-  for (const Bubble& bubble : bubbles_)
-    if (stands_on(bubble.sphere, camera)) refuse_camera(bubble.place_in_file);
-  std::vector<geometry::PlacedShape> shapes;
-  for (const Object& object : scene_.objects) {
-    if (stands_on(object.shape, camera)) refuse_camera(object.place_in_file);
-    shapes.push_back(object.shape);
-  }
-  if (shapes.empty()) return;
-  std::vector<int> place_in_file;
-  for (const Object& object : scene_.objects) place_in_file.push_back(object.place_in_file);
-  const std::size_t object_count = shapes.size();
+  std::vector<Placed> all;
+  for (const Object& object : scene_.objects) all.push_back({object.shape, object.place_in_file});
+  const std::size_t object_count = all.size();
   for (const Bubble& bubble : bubbles_) {
     SphereDesc shape;
     shape.position = bubble.sphere.center;
     shape.radius = bubble.sphere.radius;
-    shapes.push_back(placed(shape));
-    place_in_file.push_back(bubble.place_in_file);
+    all.push_back({placed(shape), bubble.place_in_file});
   }
-  for (const auto& [first, second] : geometry::coincident(shapes)) {
-    if (static_cast<std::size_t>(first) >= object_count) continue;  // bubbles on bubbles are met in their order
-    const int a = place_in_file[static_cast<std::size_t>(first)], b = place_in_file[static_cast<std::size_t>(second)];
-    if (a == b) continue;  // a bubble that is an object
-    const int later = std::max(a, b);
-    const Path item{&objects_path, {}, later};
-    problems_.add_warning(
-        Path{&item, name_of(objects[static_cast<std::size_t>(later)])},
-        "lies on " + described(std::min(a, b)) + ": which of the two is met first is left to rounding");
-  }
+  const Names names{objects, path};
+  const Path root, camera_path{&root, "camera"}, position{&camera_path, "position"};
+  for (const Placed& one : all)
+    if (stands_on(one.shape, camera) && !problems_.has(position))
+      problems_.add(position, "expected a place off every surface, got one on " + names.of(one.place_in_file));
+  if (object_count > 0) warn_of_coincidence(all, object_count, names, problems_);
 }
 
 }  // namespace shabon::scene

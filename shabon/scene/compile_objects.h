@@ -27,7 +27,8 @@ class ObjectsCompiler {
 
   // After the last object: fills Scene::spheres. Problems between objects follow: those that coincide are warned of;
   // the camera must not stand on one.
-  void finish(const std::vector<ObjectDesc>& objects, const Path& objects_path, const math::Vec3d& camera);
+  // `path` leads to the list of objects.
+  void finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera);
 
  private:
   struct Bubble {

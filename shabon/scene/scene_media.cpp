@@ -1,6 +1,7 @@
 #include "shabon/scene/scene_media.h"
 
 #include <algorithm>
+#include <complex>
 
 #include "shabon/color/spectrum.h"
 #include "shabon/scene/film_parts.h"
@@ -8,24 +9,36 @@
 
 namespace shabon::scene {
 
+namespace {
+
+std::pair<double, double> constant_of(const optics::Medium& medium) {
+  const std::complex<double> index = medium.index(color::first_nm);
+  return {index.real(), index.imag()};
+}
+
+}  // namespace
+
 bool SceneMedia::Media::contains(const optics::Medium& medium) const {
-  return names.contains(medium.name()) || std::find(media.begin(), media.end(), medium) != media.end();
+  if (medium.is_constant()) return constants.contains(constant_of(medium));
+  return std::find(others.begin(), others.end(), medium) != others.end();
 }
 
 bool SceneMedia::add_to(Media& media, const optics::Medium& medium) {
   if (media.contains(medium)) return false;
-  media.names.insert(medium.name());
-  media.media.push_back(medium);
+  if (medium.is_constant())
+    media.constants.insert(constant_of(medium));
+  else
+    media.others.push_back(medium);
   return true;
 }
 
 void SceneMedia::fills_space(const optics::Medium& medium, const Path& place) {
-  if (space_.media.empty()) {
-    add_to(space_, medium);
+  if (!space_) {
+    space_ = medium;
     settled_by_ = place.parent->text();
-  } else if (!(space_.media.front() == medium) && !problems_.has(place)) {
-    problems_.add(place, "expected the outer medium '" + space_.media.front().name() + "' of " + settled_by_ +
-                             ", got '" + medium.name() + "'; all films and panes of a scene stand in one medium");
+  } else if (!(*space_ == medium) && !problems_.has(place)) {
+    problems_.add(place, "expected the outer medium '" + space_->name() + "' of " + settled_by_ + ", got '" +
+                             medium.name() + "'; all films and panes of a scene stand in one medium");
   }
 }
 
@@ -45,8 +58,8 @@ optics::Medium SceneMedia::settle() {
   const auto outermost =
       std::find_if(fronts_.begin(), fronts_.end(), [&](const Front& front) { return !behind_.contains(front.medium); });
   optics::Medium medium;  // air
-  if (!space_.media.empty())
-    medium = space_.media.front();
+  if (space_)
+    medium = *space_;
   else if (outermost != fronts_.end())
     medium = outermost->medium;
   std::size_t warnings = 0;

@@ -1,8 +1,10 @@
 // The media of a scene: the one that fills all space, and those within solids.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shabon/optics/medium.h"
@@ -31,10 +33,10 @@ class SceneMedia {
   optics::Medium settle();
 
  private:
-  // Different media, mostly few. Looked up by their names first.
+  // Different media: any number of constants, mostly few others.
   struct Media {
-    std::set<std::string> names;
-    std::vector<optics::Medium> media;
+    std::set<std::pair<double, double>> constants;  // n and k
+    std::vector<optics::Medium> others;
     bool contains(const optics::Medium& medium) const;
   };
   struct Front {
@@ -45,7 +47,8 @@ class SceneMedia {
   static bool add_to(Media& media, const optics::Medium& medium);
 
   Problems& problems_;
-  Media space_, front_, behind_;
+  std::optional<optics::Medium> space_;
+  Media front_, behind_;
   std::string settled_by_;
   std::vector<Front> fronts_;
   std::set<std::string> warned_;

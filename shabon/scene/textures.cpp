@@ -42,7 +42,7 @@ const TextureFile* Textures::file(const std::string& name, const Path& map) {
 Textures::Raster Textures::scaled(const std::string& name, double low, double high, const FieldInfo& allowed,
                                   const Path& map) {
   const TextureFile* texture = file(name, map);
-  if (texture == nullptr) return nullptr;
+  if (texture == nullptr || problems_.has(map)) return nullptr;
   Raster& made = numbers_[{name, low, high}];
   if (made != nullptr) return made;
   const math::Raster& source = texture->raster;

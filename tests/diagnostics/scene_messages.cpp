@@ -72,15 +72,35 @@ io::RgbImage one_pixel(std::vector<float> rgb, int negatives = 0) {
 Result<io::RgbImage> pictures(const std::string& file) {
   if (file == "negative.exr") return one_pixel({0, 0, 1}, 2);
   if (file == "nan.exr") return one_pixel({0, 0, std::nanf("")});
+  if (file == "black.exr") return one_pixel({0, 0, 0});
   return io::read_image(folder / file);
 }
+
+Result<TextureFile> textures(const std::string& file) {
+  const bool whole_numbers = file == "grey.png";
+  const auto picture = [&](int channels, std::vector<float> values, int negatives = 0) {
+    return TextureFile{{2, 1, channels, std::move(values)}, whole_numbers, whole_numbers ? 8 : 0, negatives};
+  };
+  if (file == "grey.png") return picture(1, {0, 0.5f});
+  if (file == "large.exr") return picture(3, {0, 0, 1, 1, 2, 3}, 4);
+  if (file == "huge.exr") return picture(1, {300, 1e7f});
+  if (file == "nan.exr") return picture(1, {1, std::nanf("")});
+  if (file == "four_channels.exr") return picture(4, {0, 0, 0, 1, 0, 0, 0, 1});
+  return pictures(file).errors();
+}
+
+Result<color::Spectrum> reflectances(const std::string& file) { return broken_files(file, true).errors(); }
 
 // What a program would print, without the name of this machine's folder.
 std::string messages_of(const std::string& name) {
   Resources resources;
   resources.medium = broken_files;
   if (!name.starts_with("no_files")) resources.illuminant = lamps;
-  if (!name.starts_with("no_files")) resources.picture = pictures;
+  if (!name.starts_with("no_files")) {
+    resources.picture = pictures;
+    resources.texture = textures;
+    resources.reflectance = reflectances;
+  }
   Diagnostics warnings;
   const Result<Scene> scene = load_scene(content_of(folder / (name + ".yaml")), "scene.yaml",
                                          lines_of(folder / (name + ".set")), resources, &warnings);
@@ -115,7 +135,7 @@ const std::vector<std::string_view> without_fixture = {
 // not messages; they stand in the lists of schema_fields.h and in the table's own file.
 std::vector<std::string> message_parts() {
   std::vector<std::string> parts;
-  for (const auto& entry : fs::directory_iterator(fs::path(SHABON_SOURCE_DIR) / "shabon" / "scene")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SHABON_SOURCE_DIR) / "shabon" / "scene")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "reference_table.cpp") continue;
     for (const std::string& line : lines_of(entry.path())) {
       if (trim(line).starts_with("//") || line.starts_with("#include")) continue;

@@ -88,6 +88,40 @@ TEST(HostileScene, a_hundred_thousand_bubbles_compile) {
   EXPECT_EQ(scene->spheres.size(), 60000u);
 }
 
+TEST(HostileScene, surfaces_within_each_other_are_counted) {
+  const std::string leaf = "{diffuse: {}}";
+  std::string deep = leaf, wide = leaf;
+  for (int i = 0; i < 20; ++i) deep = "{mask: {surface: " + deep + "}}";
+  for (int i = 0; i < 15; ++i) wide = "{mix: {surfaces: [" + wide + ", " + wide + "]}}";
+  for (const std::string& surface : {deep, wide}) {
+    const auto scene = in_time(
+        [&] { return load_scene(head + "objects: [{quad: {surface: " + surface + "}}]\n", "test.yaml", {}, {}); });
+    ASSERT_FALSE(scene.ok());
+    EXPECT_NE(to_text(scene.errors()).find("within each other"), std::string::npos) << to_text(scene.errors());
+  }
+}
+
+TEST(HostileScene, many_objects_of_many_media_compile) {
+  std::string text = head + "objects:\n";
+  for (int i = 0; i < 20000; ++i) {
+    const std::string n = std::to_string(1.1 + 1e-5 * i), m = std::to_string(1.2 + 1e-5 * i);
+    text += "- {quad: {position: [0, 0, -" + std::to_string(i) + "], surface: {dielectric: {stack: " + n + " | " + m +
+            "}}}}\n";
+  }
+  const auto scene = in_time([&] { return load_scene(text, "test.yaml", {}, {}); });
+  ASSERT_TRUE(scene.ok()) << to_text(scene.errors());
+  EXPECT_EQ(scene->objects.size(), 20000u);
+}
+
+TEST(HostileScene, thousands_of_objects_on_one_spot_are_told_once_each_at_most) {
+  const std::string text =
+      head + "objects:\n  - quad: &q {surface: {diffuse: {}}}\n" + repeated("  - quad: *q\n", 3000);
+  Diagnostics warnings;
+  const auto scene = in_time([&] { return load_scene(text, "test.yaml", {}, {}, &warnings); });
+  ASSERT_TRUE(scene.ok()) << to_text(scene.errors());
+  EXPECT_LE(warnings.size(), Problems::most_shown);
+}
+
 TEST(HostileScene, long_texts_are_cut_in_messages) {
   const std::string text = head + "objects: [{bubble: {film: {medium: " + std::string(100000, 'x') +
                            ", thickness: {constant_nm: " + std::string(100000, '9') + "}}}}]\n";
