@@ -13,8 +13,10 @@ bool is_transparent(const optics::Medium& medium) {
 }
 
 std::optional<int> SurfaceCompiler::add(const SurfaceDesc& surface, const Path& path) {
-  if (depth_ == most_nested_surfaces) {
-    problems_.add(path, "expected at most " + std::to_string(most_nested_surfaces) + " surfaces within each other");
+  if (depth_ == 0) parts_ = 0;
+  if (!std::holds_alternative<MixSurfaceDesc>(surface.chosen) && ++parts_ > most_parts) {
+    if (parts_ == most_parts + 1)
+      problems_.add(path, "expected at most " + std::to_string(most_parts) + " surfaces and masks within one surface");
     return {};
   }
   ++depth_;

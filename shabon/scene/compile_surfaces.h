@@ -63,7 +63,7 @@ class SurfaceCompiler {
   const Resources& resources_;
   Problems& problems_;
   Textures textures_;
-  int depth_ = 0;  // of surfaces within each other
+  int depth_ = 0, parts_ = 0;  // of the surface that is being compiled
   std::map<std::array<double, 3>, int> reflectance_of_;
   std::map<std::string, int> reflectance_of_file_;
   std::optional<int> picture_basis_;

@@ -32,7 +32,8 @@ struct SurfaceDesc {
 constexpr std::string_view section(Of<SurfaceDesc>) { return "surface"; }
 constexpr auto fields(Of<SurfaceDesc>) { return std::tuple{Choice{&SurfaceDesc::chosen}}; }
 
-// A mix of mixes of masks: more than this within each other is a slip.
-inline constexpr int most_nested_surfaces = 8;
+// Surfaces and masks that a mix, or a mask, may be made of in all. Each gives light at most two ways to go on, and the
+// renderer follows sixteen.
+inline constexpr int most_parts = 8;
 
 }  // namespace shabon::scene

@@ -217,7 +217,7 @@ std::string type_text(Of<math::Vec3d>, const FieldInfo&) { return "three numbers
 std::string type_text(Of<bool>, const FieldInfo&) { return "true or false"; }
 std::string type_text(Of<Repeat>, const FieldInfo&) { return "two numbers [u, v]"; }
 std::string type_text(Of<ColorDesc>, const FieldInfo&) {
-  return "a colour: \"#rrggbb\" in quotes, [r, g, b], a number 0..1 or file:PATH";
+  return "a colour: '#rrggbb' in quotes, [r, g, b], a number 0..1 or file:PATH";
 }
 
 std::string type_text(Of<optics::Interference>, const FieldInfo&) {

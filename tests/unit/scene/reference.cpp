@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "shabon/io/file.h"
+#include "shabon/scene/compile.h"
 #include "shabon/scene/reference_table.h"
-#include "shabon/scene/scene_file.h"
 
 namespace shabon::scene {
 namespace {
@@ -29,16 +29,22 @@ TEST(SceneFilePage, holds_the_table_of_keys) {
       << "run this test with SHABON_UPDATE_EXPECTED=1 and read the page";
 }
 
-TEST(SceneFilePage, shows_an_example_that_can_be_read) {
+TEST(SceneFilePage, shows_examples_that_can_be_read) {
   const Result<std::string> text = io::read_text_file(page, most_bytes);
   ASSERT_TRUE(text.ok());
   const std::string_view fence = "```yaml\n";
-  const std::size_t begin = text->find(fence);
-  ASSERT_NE(begin, std::string::npos);
-  const std::size_t first = begin + fence.size();
-  const std::string example = text->substr(first, text->find("```", first) - first);
-  const Result<SceneDesc> scene = read_scene(example, "example");
-  EXPECT_TRUE(scene.ok()) << to_text(scene.errors());
+  int examples = 0;
+  for (std::size_t begin = text->find(fence); begin != std::string::npos; begin = text->find(fence, begin + 1)) {
+    const std::size_t first = begin + fence.size();
+    std::string example = text->substr(first, text->find("```", first) - first);
+    if (example.starts_with("objects:")) example = "shabon: 1\nenvironment: {constant: {}}\n" + example;
+    Diagnostics warnings;
+    const Result<Scene> scene = load_scene(example, "example", {}, {}, &warnings);
+    EXPECT_TRUE(scene.ok()) << to_text(scene.errors());
+    EXPECT_EQ(to_text(warnings), "");
+    ++examples;
+  }
+  EXPECT_GE(examples, 2);
 }
 
 }  // namespace
