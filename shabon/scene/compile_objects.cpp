@@ -210,9 +210,9 @@ void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path&
   }
   const Names names{objects, path};
   const Path root, camera_path{&root, "camera"}, position{&camera_path, "position"};
-  for (const Placed& one : all)
-    if (stands_on(one.shape, camera) && !problems_.has(position))
-      problems_.add(position, "expected a place off every surface, got one on " + names.of(one.place_in_file));
+  for (const Object& object : scene_.objects)  // from a bubble's wall a ray starts as from any other place
+    if (stands_on(object.shape, camera) && !problems_.has(position))
+      problems_.add(position, "expected a place off every surface, got one on " + names.of(object.place_in_file));
   if (object_count > 0) warn_of_coincidence(all, object_count, names, problems_);
 }
 
