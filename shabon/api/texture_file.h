@@ -8,8 +8,8 @@
 
 namespace shabon::api {
 
-// PNG (its numbers as they stand, 0..1), OpenEXR or Radiance HDR (linear), told apart by content. Errors as
-// io::read_png() and io::read_image().
+// PNG (its numbers as they stand, 0..1, in the file's depth), OpenEXR or Radiance HDR (linear), told apart by content.
+// Errors as io::read_texture_image().
 Result<scene::TextureFile> read_texture(const std::filesystem::path& path);
 
 }  // namespace shabon::api

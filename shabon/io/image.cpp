@@ -1,9 +1,12 @@
 #include "shabon/io/image.h"
 
 #include <array>
+#include <string>
+#include <utility>
 
 #include "shabon/io/file.h"
 #include "shabon/io/pixel_sink.h"
+#include "shabon/io/texture_image.h"
 
 namespace shabon::io {
 
@@ -13,14 +16,23 @@ struct Signature {
   std::string_view name, bytes;
 };
 
-constexpr std::string_view exr_signature("\x76\x2F\x31\x01", 4), hdr_signature("#?");
+constexpr std::string_view exr_signature("\x76\x2F\x31\x01", 4), hdr_signature("#?"), png_signature("\x89PNG");
 
 // Kinds that people try, to name them instead of calling them unknown.
 constexpr std::array known_signatures{
-    Signature{"PNG", "\x89PNG"},     Signature{"JPEG", "\xFF\xD8\xFF"}, Signature{"TIFF", {"II*\0", 4}},
+    Signature{"PNG", png_signature}, Signature{"JPEG", "\xFF\xD8\xFF"}, Signature{"TIFF", {"II*\0", 4}},
     Signature{"TIFF", {"MM\0*", 4}}, Signature{"GIF", "GIF8"},          Signature{"PFM", "PF\n"},
     Signature{"DirectDraw", "DDS "},
 };
+
+Diagnostics unknown_picture(std::string_view bytes, const std::string& source, const std::string& kinds) {
+  const std::string expected = "expected a picture in " + kinds;
+  if (bytes.empty()) return picture_error(source, expected + ", got an empty file");
+  for (const Signature& signature : known_signatures)
+    if (bytes.starts_with(signature.bytes))
+      return picture_error(source, expected + ", got " + std::string(signature.name));
+  return picture_error(source, expected + ", got something else");
+}
 
 }  // namespace
 
@@ -30,12 +42,26 @@ Result<RgbImage> read_image(const std::filesystem::path& path) {
   if (!bytes) return bytes.errors();
   if (bytes->starts_with(exr_signature)) return decode_exr(*bytes, source);
   if (bytes->starts_with(hdr_signature)) return decode_hdr(*bytes, source);
-  constexpr std::string_view expected = "expected a picture in OpenEXR (.exr) or Radiance (.hdr)";
-  if (bytes->empty()) return picture_error(source, std::string(expected) + ", got an empty file");
-  for (const Signature& signature : known_signatures)
-    if (bytes->starts_with(signature.bytes))
-      return picture_error(source, std::string(expected) + ", got " + std::string(signature.name));
-  return picture_error(source, std::string(expected) + ", got something else");
+  return unknown_picture(*bytes, source, "OpenEXR (.exr) or Radiance (.hdr)");
+}
+
+Result<TextureImage> read_texture_image(const std::filesystem::path& path) {
+  const std::string source = path.string();
+  const Result<std::string> bytes = read_file(path, picture_max_bytes);
+  if (!bytes) return bytes.errors();
+  if (bytes->starts_with(png_signature)) return decode_png_texture(*bytes, source);
+  if (bytes->starts_with(exr_signature)) return decode_exr_texture(*bytes, source);
+  if (!bytes->starts_with(hdr_signature))
+    return unknown_picture(*bytes, source, "PNG (.png), OpenEXR (.exr) or Radiance (.hdr)");
+  Result<RgbImage> colors = decode_hdr(*bytes, source);
+  if (!colors) return colors.errors();
+  return texture_of(std::move(*colors));
+}
+
+TextureImage texture_of(RgbImage image) {
+  TextureImage texture{image.width, image.height, 3, std::move(image.rgb)};
+  texture.negatives = image.negatives;
+  return texture;
 }
 
 }  // namespace shabon::io

@@ -13,6 +13,7 @@
 #include "shabon/io/file.h"
 #include "shabon/io/image.h"
 #include "shabon/io/pixel_sink.h"
+#include "shabon/io/png_limits.h"
 
 namespace shabon::io {
 
@@ -84,10 +85,6 @@ std::vector<png_text> make_texts(const Metadata& metadata) {
   return texts;
 }
 
-// Each byte of deflated data makes at most 1032 (RFC 1951's longest match over its shortest code), and a pixel has at
-// least one bit: a short file that claims more is refused before anything is allocated.
-bool can_hold(std::size_t file_bytes, std::uint64_t pixels) { return pixels / 8 <= file_bytes * std::uint64_t{1032}; }
-
 }  // namespace
 
 Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
@@ -123,7 +120,6 @@ Status write_png(const std::filesystem::path& path, int width, int height, std::
 }
 
 Result<Rgb8Image> decode_png(std::string_view bytes, const std::string& source) try {
-  constexpr std::string_view end_chunk("IEND\xAE\x42\x60\x82", 8);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   const auto give_up = [&](const std::string& message) {
@@ -136,9 +132,7 @@ Result<Rgb8Image> decode_png(std::string_view bytes, const std::string& source) 
     png_image_free(&image);
     return *error;
   }
-  if (!can_hold(bytes.size(), std::uint64_t{image.width} * image.height) ||
-      bytes.find(end_chunk) == std::string_view::npos)
-    return give_up("truncated PNG");
+  if (!png_is_whole(bytes, std::uint64_t{image.width} * image.height)) return give_up("truncated PNG");
   image.format = PNG_FORMAT_RGB;
   Rgb8Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   result.rgb.resize(PNG_IMAGE_SIZE(image));
