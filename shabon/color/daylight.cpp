@@ -14,6 +14,25 @@ namespace {
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
+// What `at_row` says of the components' rows, with straight lines between them.
+template <class AtRow>
+Spectrum at_each_nm(const AtRow& at_row) {
+  const auto nm = tables::daylight().front().columns[0];
+  Spectrum result;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double lambda = wavelength_nm(i);
+    const auto above = std::lower_bound(nm.begin(), nm.end(), lambda);
+    const auto right = static_cast<std::size_t>(above - nm.begin());
+    if (*above == lambda) {
+      result[i] = at_row(right);
+      continue;
+    }
+    const double share = (lambda - nm[right - 1]) / (nm[right] - nm[right - 1]);
+    result[i] = at_row(right - 1) + share * (at_row(right) - at_row(right - 1));
+  }
+  return result;
+}
+
 }  // namespace
 
 Xy daylight_chromaticity(double temperature_kelvin) {
@@ -34,22 +53,15 @@ Spectrum daylight_power(double temperature_kelvin, DaylightWeights weights) {
     m2 = rounded(m2);
   }
   const Table& components = tables::daylight().front();
-  const auto nm = components.columns[0], s0 = components.columns[1], s1 = components.columns[2],
-             s2 = components.columns[3];
-  const auto at_row = [&](std::size_t row) { return s0[row] + m1 * s1[row] + m2 * s2[row]; };
-  Spectrum power;
-  for (std::size_t i = 0; i < power.size(); ++i) {
-    const double lambda = wavelength_nm(i);
-    const auto above = std::lower_bound(nm.begin(), nm.end(), lambda);
-    const auto right = static_cast<std::size_t>(above - nm.begin());
-    if (*above == lambda) {
-      power[i] = at_row(right);
-      continue;
-    }
-    const double share = (lambda - nm[right - 1]) / (nm[right] - nm[right - 1]);
-    power[i] = at_row(right - 1) + share * (at_row(right) - at_row(right - 1));
-  }
-  return power;
+  const auto s0 = components.columns[1], s1 = components.columns[2], s2 = components.columns[3];
+  return at_each_nm([&](std::size_t row) { return s0[row] + m1 * s1[row] + m2 * s2[row]; });
+}
+
+std::array<Spectrum, 3> daylight_components() {
+  std::array<Spectrum, 3> result;
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = at_each_nm([&](std::size_t row) { return tables::daylight().front().columns[1 + k][row]; });
+  return result;
 }
 
 }  // namespace shabon::color

@@ -1,6 +1,8 @@
 // The CIE's formula for daylight of any correlated colour temperature, equation (41).
 #pragma once
 
+#include <array>
+
 #include "shabon/base/field.h"
 #include "shabon/color/spectrum.h"
 #include "shabon/color/xyz.h"
@@ -24,5 +26,8 @@ enum class DaylightWeights {
 
 // Relative power per nm, 100 at 560 nm, with straight lines between the components' values at 5 nm.
 Spectrum daylight_power(double temperature_kelvin, DaylightWeights weights = DaylightWeights::exact);
+
+// The components S0, S1 and S2 at 1 nm, as daylight_power() adds them.
+std::array<Spectrum, 3> daylight_components();
 
 }  // namespace shabon::color

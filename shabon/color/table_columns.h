@@ -14,6 +14,7 @@ std::span<const Table> observers();
 std::span<const Table> illuminants();
 std::span<const Table> lamp_series();  // a column for each lamp, named after it
 std::span<const Table> daylight();     // S0, S1, S2 at 5 nm
+std::span<const Table> sunlight();     // irradiance and absorption coefficients, finer where they change
 std::span<const Table> rgb_basis();
 }  // namespace shabon::tables
 

@@ -42,6 +42,7 @@ bool shines(const ImageLight& light) {
   const std::vector<float>& texels = light.picture->texels;
   return light.scale > 0 && std::any_of(texels.begin(), texels.end(), [](float v) { return v > 0; });
 }
+bool shines(const SkyLight& light) { return light.luminance.factor > 0; }
 bool shines(const Scene& scene) {
   if (std::visit([](const auto& light) { return shines(light); }, scene.environment.base)) return true;
   for (const Softbox& softbox : scene.environment.softboxes)

@@ -67,6 +67,19 @@ class EnvironmentCompiler {
     return result;
   }
 
+  BaseLight base(const SkyEnvironmentDesc& light) {
+    const bool wrong = problems_.has(below(light));
+    const SkyConditions conditions{
+        light.sun_elevation_deg, light.sun_azimuth_deg, light.turbidity, light.scale, light.sun, light.ground_albedo};
+    SkyAndSun made = sky_and_sun(wrong ? SkyConditions{} : conditions, static_cast<int>(lamps_.spectra.size()));
+    lamps_.spectra.insert(lamps_.spectra.end(), made.channels.begin(), made.channels.end());
+    sun_ = made.sun;
+    return made.sky;
+  }
+
+  // What the base brings along.
+  const std::optional<RoundSoftbox>& sun() const { return sun_; }
+
   Softbox softbox(const SoftboxDesc& light, const Path& place) {
     const math::Vec3d direction = unit(light.direction);
     const int lamp = lamps_.of(light.illuminant, place);
@@ -103,6 +116,7 @@ class EnvironmentCompiler {
   const Resources& resources_;
   Problems& problems_;
   LampChannels& lamps_;
+  std::optional<RoundSoftbox> sun_;
 };
 
 }  // namespace
@@ -117,6 +131,7 @@ Environment compile_environment(const EnvironmentDesc& description, const Path& 
     const Path place{&softboxes, {}, static_cast<int>(environment.softboxes.size())};
     environment.softboxes.push_back(compiler.softbox(softbox, place));
   }
+  if (compiler.sun()) environment.softboxes.push_back(*compiler.sun());
   return environment;
 }
 

@@ -11,12 +11,13 @@
 #include "shabon/scene/lights/constant_light.h"
 #include "shabon/scene/lights/gradient_light.h"
 #include "shabon/scene/lights/image_light.h"
+#include "shabon/scene/lights/sky_light.h"
 #include "shabon/scene/lights/softbox.h"
 
 namespace shabon::scene {
 
 // The closed set of base lights.
-using BaseLight = std::variant<ConstantLight, GradientLight, ImageLight>;
+using BaseLight = std::variant<ConstantLight, GradientLight, ImageLight, SkyLight>;
 
 struct Environment {
   std::vector<color::Spectrum> channels;  // radiance per nm at 1 nm; a lamp of scale 1 has Y = 1

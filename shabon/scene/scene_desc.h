@@ -49,6 +49,15 @@ struct ImageEnvironmentDesc {
   double scale = 1;
 };
 
+// A clear sky with its sun; the defaults are those of SkyConditions.
+struct SkyEnvironmentDesc {
+  double sun_elevation_deg = 40, sun_azimuth_deg = 0;
+  double turbidity = 3;
+  double scale = 1;
+  bool sun = true;
+  double ground_albedo = 0.2;
+};
+
 struct RoundShapeDesc {
   double half_angle_deg = 10;
 };
@@ -64,7 +73,7 @@ struct SoftboxDesc : LampDesc {
 };
 
 struct EnvironmentDesc {
-  std::variant<ConstantEnvironmentDesc, GradientEnvironmentDesc, ImageEnvironmentDesc> base;
+  std::variant<ConstantEnvironmentDesc, GradientEnvironmentDesc, ImageEnvironmentDesc, SkyEnvironmentDesc> base;
   std::vector<SoftboxDesc> softboxes;
 };
 

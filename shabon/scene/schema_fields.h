@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shabon/base/field.h"
+#include "shabon/color/sunlight.h"
 #include "shabon/scene/ranges.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/schema_build.h"
@@ -82,6 +83,27 @@ constexpr auto fields(Of<ImageEnvironmentDesc>) {
           &ImageEnvironmentDesc::rotation_deg,
           {.unit = "degrees", .range = angle_range_deg, .doc = "azimuth of the picture's middle, from -z towards +x"}},
       Field{"scale", &ImageEnvironmentDesc::scale, {.range = scale_range, .doc = "factor on the picture's values"}}};
+}
+
+constexpr About about(Of<SkyEnvironmentDesc>) { return {.name = "sky", .doc = "a clear sky, its sun and the ground"}; }
+constexpr auto fields(Of<SkyEnvironmentDesc>) {
+  return std::tuple{
+      Field{"sun_elevation_deg",
+            &SkyEnvironmentDesc::sun_elevation_deg,
+            {.unit = "degrees", .range = elevation_range_deg, .doc = "height of the sun above the horizon"}},
+      Field{"sun_azimuth_deg",
+            &SkyEnvironmentDesc::sun_azimuth_deg,
+            {.unit = "degrees", .range = angle_range_deg, .doc = "azimuth of the sun, from -z towards +x"}},
+      Field{"turbidity",
+            &SkyEnvironmentDesc::turbidity,
+            {.range = color::turbidity_range, .doc = "haze: 2 is a very clear day, 10 a hazy one"}},
+      Field{"scale",
+            &SkyEnvironmentDesc::scale,
+            {.range = scale_range, .doc = "brightness; with 1 a white card lying in the open has Y = 1"}},
+      Field{"sun", &SkyEnvironmentDesc::sun, {.doc = "whether the sun itself is there; the sky stays as it is"}},
+      Field{"ground_albedo",
+            &SkyEnvironmentDesc::ground_albedo,
+            {.range = share_range, .doc = "share of the light that the grey ground below the horizon reflects"}}};
 }
 
 constexpr About about(Of<RoundShapeDesc>) { return {.name = "round", .doc = "a disk", .flat = true}; }

@@ -5,10 +5,9 @@
 #include <variant>
 
 #include "shabon/math/vec.h"
+#include "shabon/scene/lights/select.h"
 
 namespace shabon::scene {
-
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
 // All directions within `half_angle` of the axis.
 struct RoundSoftbox {
@@ -19,10 +18,17 @@ struct RoundSoftbox {
 
   template <class T>
   void add(const math::Vec3<T>& direction, T* coefficients) const {
-    const T cos_off_axis = direction.x * T(axis.x) + direction.y * T(axis.y) + direction.z * T(axis.z);
-    const T inside = select(cos_off_axis >= T(cos_half_angle), T(scale), T(0));
+    const T inside = select(chord_squared(direction) <= T(rim_chord_squared()), T(scale), T(0));
     coefficients[channel] = coefficients[channel] + inside;
   }
+
+  // Chords keep the digits that cosines of small angles lose: the sun's rim is where it is, in float too.
+  template <class T>
+  T chord_squared(const math::Vec3<T>& direction) const {
+    const T x = direction.x - T(axis.x), y = direction.y - T(axis.y), z = direction.z - T(axis.z);
+    return x * x + y * y + z * z;
+  }
+  double rim_chord_squared() const { return 2 * (1 - cos_half_angle); }
 };
 
 // The directions through a flat rectangle normal to the axis: |x/z| <= tan(width/2), |y/z| <= tan(height/2).
