@@ -40,6 +40,7 @@ std::string allowed_value(const Key& key) {
   if (key.key == "corners") return "[[0, 0, 0], [1, 2, 0], [0, 1, 7]]";
   if (key.key == "radius") return "1000000";  // larger than any hole
   if (key.key == "illuminant") return "blackbody:3000K";
+  if (key.key == "turbidity") return "3";
   if (key.key == "medium") return "1.5";
   if (key.key == "stack") return "air | water 300nm | air";
   if (key.type == type_text(Of<std::string>{}, key.info)) return "text";
