@@ -60,6 +60,8 @@ struct Lobe {
   CoatingHere coating;
   float share = 1;              // of the surface, where several are mixed
   float estimate = 0;           // about what goes on this way, of the row that arrives
+  float chance = 1;    // with which it is followed
+  bool followed = true;
   std::int16_t film_slot = -1;  // free films: the next one on the same spot
 };
 
