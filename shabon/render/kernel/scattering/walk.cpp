@@ -13,7 +13,7 @@ namespace {
 // A path that has met so many surfaces and is scattered again goes on only as likely as it carries this much. What a
 // film or glass mirrors carries less and may show a lamp, which nothing else finds: it goes on down to less.
 constexpr int surfaces_before_roulette = 3;
-constexpr float least_carried_by_scattering = 0.25f, least_carried_after_chance = 0.02f;
+constexpr float least_carried_by_scattering = 0.25f, least_carried_after_chance = 0.005f;
 
 }  // namespace
 
