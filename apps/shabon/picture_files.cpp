@@ -15,14 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Status write_png(const fs::path& path, const render::Sensor& sensor, double exposure_ev, const io::Metadata& metadata) {
-  const std::vector<std::uint8_t> bytes =
-      render::develop_srgb8(sensor, exposure_ev, color::default_gamut_mapping);
-  return io::write_png(path, sensor.width(), sensor.height(), bytes, metadata);
+Status write_png(const fs::path& path, const render::Sensor& sensor, const scene::Development& development,
+                 const io::Metadata& metadata) {
+  io::Metadata told = metadata;
+  told.emplace_back("exposure_ev", format_number(development.exposure_ev));
+  told.emplace_back("white_balance", development.white_lamp);
+  return io::write_png(path, sensor.width(), sensor.height(), render::develop_srgb8(sensor, development), told);
 }
 
-Status write_exr(const fs::path& path, const render::Sensor& sensor, double, const io::Metadata& metadata) {
-  return io::write_exr(path, render::develop_linear(sensor), metadata);
+// Before exposure and white balance: what is added to other light, or developed elsewhere.
+Status write_exr(const fs::path& path, const render::Sensor& sensor, const scene::Development&,
+                 const io::Metadata& metadata) {
+  io::Metadata told = metadata;
+  told.emplace_back("content", "linear sRGB, unclipped, without exposure and white balance");
+  return io::write_exr(path, render::develop_linear(sensor), told);
 }
 
 constexpr PictureKind kinds[] = {

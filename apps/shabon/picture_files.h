@@ -9,6 +9,7 @@
 #include "shabon/base/result.h"
 #include "shabon/io/image.h"
 #include "shabon/render/sensor.h"
+#include "shabon/scene/development.h"
 
 namespace shabon::app {
 
@@ -16,8 +17,8 @@ namespace shabon::app {
 struct PictureKind {
   std::string_view ending;  // ".png"
   std::string_view content;
-  Status (*write)(const std::filesystem::path& path, const render::Sensor& sensor, double exposure_ev,
-                  const io::Metadata& metadata);
+  Status (*write)(const std::filesystem::path& path, const render::Sensor& sensor,
+                  const scene::Development& development, const io::Metadata& metadata);
 };
 
 // The closed set.

@@ -22,7 +22,6 @@ namespace {
 
 constexpr const char* built_in_picture = "bubble.png";
 constexpr long long most_threads = 1024;
-constexpr double most_exposure_ev = 100;
 
 struct RenderCommand {
   SceneInput scene;
@@ -63,10 +62,12 @@ int write_outputs(const RenderCommand& command, const std::vector<PictureFile>& 
     if (!command.quiet) say(fmt::format("wrote {}{}", kept.back(), what));
   };
   const io::Metadata metadata = picture_metadata(loaded, command.scene.overrides, done);
+  scene::Development development = loaded.scene.development;
+  development.exposure_ev += command.exposure_ev.value_or(0);
   const std::string size = fmt::format(": {} x {}, {} samples a pixel, {:.1f} s", sensor.width(), sensor.height(),
                                        done.samples_done, done.seconds);
   for (const PictureFile& picture : pictures)
-    note(picture.path, picture.kind->write(picture.path, sensor, command.exposure_ev.value_or(0), metadata), size);
+    note(picture.path, picture.kind->write(picture.path, sensor, development, metadata), size);
   if (command.stats) note(*command.stats, io::write_file_atomically(*command.stats, stats_json(loaded, done)), "");
   if (code != success && !kept.empty()) say(fmt::format("complete in spite of this: {}", fmt::join(kept, ", ")));
   return code;
@@ -111,16 +112,14 @@ Action declare_render(CLI::App& app) {
             "Picture to write, .png or .exr; may be repeated [bubble.png, or the scene's name with .png]");
   add_scene_integer(app, command->scene, "--samples", "render.samples", scene::samples_range, "Camera samples a pixel");
   add_scene_integer(app, command->scene, "--seed", "render.seed", scene::seed_range, "Start of the random numbers");
-  add_scene_name(app, command->scene, "--transport", "render.transport", scene::transport_names(),
-                 "How paths are followed");
   add_integer(app, "--threads", command->threads, 1, most_threads, "Threads; never changes the picture [one a core]");
-  add_number(app, "--exposure", command->exposure_ev, {.low = -most_exposure_ev, .high = most_exposure_ev}, "EV",
-             "Brightens PNG pictures by 2^EV [0]");
+  add_number(app, "--exposure", command->exposure_ev, scene::exposure_range, "EV",
+             "Brightens PNG pictures by 2^EV, on top of image.exposure_ev [0]");
   add_text(app, "--stats", command->stats, "FILE.json", "Writes what was done, and how fast");
   app.add_flag("--quiet", command->quiet, "No progress; only warnings and errors");
   app.footer(
-      R"(PNG is sRGB; colours outside it are mapped into it, keeping hue and lightness. EXR is linear sRGB, unclipped and
-without exposure. Flags win over --set, and --set over the file. An interrupted render (Ctrl-C) writes what it has.
+      R"(PNG is sRGB; colours outside it are mapped into it, keeping hue and lightness. EXR is linear sRGB, unclipped,
+without exposure and white balance. Flags win over --set, and --set over the file. An interrupted render (Ctrl-C) writes what it has.
 When one of several files cannot be written, the others still are, and the exit code is 4.
 
 Examples:

@@ -39,6 +39,7 @@ struct FieldInfo {
   Range range = {};            // of a number, or of every component of a vector
   bool required = false;       // otherwise the member's initial value is the default
   NameList names = nullptr;    // of a text: the closed set it is taken from, ignoring case
+  std::string_view unset = {};  // of an optional member: what stands for it, for the table
   int items = 0;               // of a list: exactly so many; 0 leaves it open
   std::string_view doc = {};   // one line
 };

@@ -120,9 +120,10 @@ RenderReport render_with(const Tables& tables, const RenderOptions& options, Sen
   return report;
 }
 
-// Only bubbles under lamps at infinity: a kernel of their own follows many of their paths side by side.
+// Only bubbles under lamps at infinity, seen through a pinhole: a kernel of their own follows many of their paths side
+// by side.
 bool only_bubbles(const scene::Scene& scene) {
-  return scene.objects.empty() && scene.render.transport == scene::Transport::tree;
+  return scene.objects.empty() && scene.camera.is_pinhole() && scene.render.transport == scene::Transport::tree;
 }
 
 }  // namespace

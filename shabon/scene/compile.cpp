@@ -4,7 +4,7 @@
 #include <new>
 
 #include "shabon/base/text.h"
-#include "shabon/base/units.h"
+#include "shabon/scene/compile_camera.h"
 #include "shabon/scene/compile_environment.h"
 #include "shabon/scene/compile_objects.h"
 #include "shabon/scene/override.h"
@@ -14,15 +14,6 @@
 namespace shabon::scene {
 
 namespace {
-
-double radians(double degrees) { return Radians(Degrees(degrees)).value; }
-
-Camera compile_camera(const CameraDesc& camera, const ImageDesc& image) {
-  Camera result = look_at_camera(camera.position, camera.look_at, camera.up, radians(camera.vertical_fov_deg),
-                                 image.width, image.height);
-  if (camera.polarizer_deg) result.polarizer_rad = radians(*camera.polarizer_deg);
-  return result;
-}
 
 RenderSettings compile_settings(const RenderDesc& render) {
   RenderSettings settings;
@@ -61,6 +52,7 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   scene.render = compile_settings(description.render);
   scene.metres_per_unit = description.metres_per_unit;
   const Path environment{&root, "environment"}, objects{&root, "objects"};
+  scene.development = compile_development(description.image, Path{&root, "image"}, resources, problems);
   LampChannels lamps(resources, problems);
   scene.environment = compile_environment(description.environment, environment, resources, lamps, problems);
   SceneMedia media(problems);
@@ -80,6 +72,7 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   scene.width = description.image.width;
   scene.height = description.image.height;
   scene.camera = compile_camera(description.camera, description.image);
+  scene.filter = compile_filter(description.image);
   return scene;
 }
 

@@ -23,9 +23,15 @@ inline constexpr Range split_range{.low = 1e-7, .high = 1};
 inline constexpr Range depth_range{.low = 1, .high = 1024};
 inline constexpr Range layer_range{.low = 1, .high = optics::most_layers};
 inline constexpr double most_pixels = 1 << 28;
+inline constexpr Range filter_width_range{.low = 0, .high = 64, .low_open = true};
+inline constexpr Range exposure_range{.low = -100, .high = 100};
+inline constexpr Range lens_range{.low = 0, .high = 1e6};
 inline constexpr Range share_range{.low = 0, .high = 1};
 inline constexpr Range stretch_range{.low = 0, .high = 1e6, .low_open = true};  // factors on lengths
 inline constexpr Range repeat_range{.low = 0, .high = 1e6, .low_open = true};
 inline constexpr Range unit_range_m{.low = 0, .high = 1e9, .low_open = true};
+
+inline constexpr double shortest_vector = 1e-9;  // relative to coordinates around 1; anything shorter is a slip
+inline constexpr double parallel_sine = 1e-6;    // a view this near to `up` leaves the picture's rotation open
 
 }  // namespace shabon::scene

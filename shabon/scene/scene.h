@@ -13,7 +13,9 @@
 #include "shabon/optics/medium.h"
 #include "shabon/optics/stack.h"
 #include "shabon/scene/camera.h"
+#include "shabon/scene/development.h"
 #include "shabon/scene/environment.h"
+#include "shabon/scene/pixel_filter.h"
 #include "shabon/scene/surface.h"
 
 namespace shabon::scene {
@@ -61,6 +63,8 @@ struct RenderSettings {
 struct Scene {
   int width = 800, height = 600;
   Camera camera;
+  PixelFilter filter;
+  Development development;
   RenderSettings render;
   optics::Medium medium = optics::Medium::constant(1.0);  // fills all space, inside and outside of bubbles
   std::vector<Sphere> spheres;

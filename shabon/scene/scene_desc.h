@@ -12,21 +12,12 @@
 #include "shabon/io/yaml.h"
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
+#include "shabon/scene/camera_desc.h"
 #include "shabon/scene/film_desc.h"
 #include "shabon/scene/lamp_desc.h"
 #include "shabon/scene/shape_desc.h"
 
 namespace shabon::scene {
-
-struct ImageDesc {
-  int width = 800, height = 600;
-};
-
-struct CameraDesc {
-  math::Vec3d position{0, 0, 5}, look_at{0, 0, 0}, up{0, 1, 0};
-  double vertical_fov_deg = 30;  // full angle
-  std::optional<double> polarizer_deg;
-};
 
 struct RenderDesc {
   int samples = 64;

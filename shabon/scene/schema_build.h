@@ -90,7 +90,7 @@ template <class V>
 void describe_member(const V& initial, Key& key) {
   if constexpr (is_optional<V>) {
     describe_member(typename V::value_type{}, key);
-    key.initial = "none";
+    key.initial = key.info.unset.empty() ? "none" : key.info.unset;
   } else if constexpr (is_indirect<V>) {
     describe_member(*initial, key);
   } else if constexpr (is_list<V>) {

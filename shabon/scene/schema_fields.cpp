@@ -12,9 +12,6 @@ namespace shabon::scene {
 
 namespace {
 
-constexpr double shortest_vector = 1e-9;  // relative to coordinates around 1; anything shorter is a slip
-constexpr double parallel_sine = 1e-6;    // a view this near to `up` leaves the picture's rotation open
-
 double length_of(const math::Vec3d& v) { return std::hypot(v.x, v.y, v.z); }
 
 void check_file_name(const std::string& file, const Path& path, Problems& problems) {
@@ -40,29 +37,6 @@ void check_film(const FilmDescription& film, const Path& path, Problems& problem
 }  // namespace
 
 const Mapping& scene_schema() { return mapping_of<SceneDesc>(); }
-
-void check(const ImageDesc& image, const Path& path, Problems& problems) {
-  if (problems.has(path)) return;
-  const double pixels = double(image.width) * double(image.height);
-  if (pixels > most_pixels)
-    problems.add(path, "expected at most 2^28 pixels, got " + std::to_string(image.width) + " x " +
-                           std::to_string(image.height));
-}
-
-void check(const CameraDesc& camera, const Path& path, Problems& problems) {
-  const Path position{&path, "position"}, look_at{&path, "look_at"}, upwards{&path, "up"};
-  if (problems.has(position) || problems.has(look_at) || problems.has(upwards)) return;
-  const math::Vec3d view = camera.look_at - camera.position;
-  const double coordinates = std::max(1.0, length_of(camera.position));
-  if (length_of(view) < shortest_vector * coordinates)
-    return problems.add(look_at, "expected a point away from the camera's position, got " + value_text(camera.look_at) +
-                                     ", which is the position");
-  if (length_of(camera.up) < shortest_vector)
-    return problems.add(upwards, "expected a direction, got " + value_text(camera.up));
-  const math::Vec3d forward = view * (1 / length_of(view)), up = camera.up * (1 / length_of(camera.up));
-  if (length_of(math::cross(forward, up)) < parallel_sine)
-    problems.add(upwards, "expected a direction that is not parallel to the view, got " + value_text(camera.up));
-}
 
 // A file is read when the scene is compiled.
 void check(const LampDesc& lamp, const Path& path, Problems& problems) {

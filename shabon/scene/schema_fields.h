@@ -16,31 +16,6 @@ namespace shabon::scene {
 
 inline constexpr Range version_range{.low = scene_file_version, .high = scene_file_version};
 
-constexpr auto fields(Of<ImageDesc>) {
-  return std::tuple{
-      Field{"width", &ImageDesc::width, {.unit = "pixels", .range = side_range, .doc = "width of the picture"}},
-      Field{"height",
-            &ImageDesc::height,
-            {.unit = "pixels", .range = side_range, .doc = "height; width times height at most 2^28"}}};
-}
-
-constexpr auto fields(Of<CameraDesc>) {
-  return std::tuple{
-      Field{"position", &CameraDesc::position, {.range = coordinate_range, .doc = "where the camera stands"}},
-      Field{"look_at",
-            &CameraDesc::look_at,
-            {.range = coordinate_range, .doc = "the point in the middle of the picture"}},
-      Field{"up", &CameraDesc::up, {.range = coordinate_range, .doc = "upwards in the picture; not along the view"}},
-      Field{"vertical_fov_deg",
-            &CameraDesc::vertical_fov_deg,
-            {.unit = "degrees", .range = below_half_turn_deg, .doc = "full vertical angle of view"}},
-      Field{"polarizer_deg",
-            &CameraDesc::polarizer_deg,
-            {.unit = "degrees",
-             .range = angle_range_deg,
-             .doc = "axis of an ideal linear polariser before the lens, from image right towards image up"}}};
-}
-
 std::vector<std::string_view> transport_names();
 
 constexpr auto fields(Of<RenderDesc>) {
@@ -166,8 +141,6 @@ constexpr auto fields(Of<SceneDesc>) {
 }
 
 // Rules between members of one struct. They keep silent where the members themselves are wrong.
-void check(const ImageDesc& image, const Path& path, Problems& problems);
-void check(const CameraDesc& camera, const Path& path, Problems& problems);
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems);
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems);
 void check(const SceneDesc& scene, const Path& path, Problems& problems);

@@ -124,6 +124,24 @@ TEST_F(Render, ExposureTouchesPngOnly) {
   EXPECT_GT(first("dark.png"), first("plain.png") / 2);
 }
 
+TEST_F(Render, ExposureOfTheSceneAndOfTheCommandAddUp) {
+  const std::string both = bytes("both.png", {"scene.yaml", "--set", "image.exposure_ev=-1.25", "--exposure", "0.5"});
+  bytes("flag.png", {"scene.yaml", "--exposure", "-.75"});
+  EXPECT_EQ(io::read_png(folder.path() / "both.png")->rgb, io::read_png(folder.path() / "flag.png")->rgb);
+  EXPECT_NE(both.find("exposure_ev"), std::string::npos);
+  EXPECT_NE(both.find("-0.75"), std::string::npos);
+}
+
+TEST_F(Render, WhiteBalanceTouchesPngOnly) {
+  const std::vector<std::string> balanced = {"scene.yaml", "--set", "image.white_balance=A"};
+  EXPECT_EQ(picture(balanced).rgb, picture({"scene.yaml"}).rgb);
+  const std::string bluer = bytes("bluer.png", balanced);
+  EXPECT_NE(bluer.find("white_balance"), std::string::npos);
+  bytes("plain.png", {"scene.yaml"});
+  const auto first = [&](const char* name) { return int{io::read_png(folder.path() / name)->rgb.at(2)}; };
+  EXPECT_GT(first("bluer.png"), first("plain.png"));
+}
+
 TEST_F(Render, WritesWhatWasDone) {
   EXPECT_EQ(render({"scene.yaml", "--stats", "s.json", "--quiet"}).exit_code, 0);
   const Result<io::YamlDocument> stats = io::read_yaml(folder.path() / "s.json");

@@ -30,8 +30,7 @@ struct CameraStart {
 // The row behind a polariser, in the frame whose s axis is the camera's right, made normal to the ray.
 inline void start_polarized(const scene::Scene& scene, const CameraStart& start, float weight, Paths& paths,
                             std::size_t i) {
-  const math::Vec3d d{paths.dx[i], paths.dy[i], paths.dz[i]};
-  const math::Vec3d s = math::normalize(scene.camera.right - d * math::dot(scene.camera.right, d));
+  const math::Vec3d s = scene.camera.polarizer_right({paths.dx[i], paths.dy[i], paths.dz[i]});
   paths.sx[i] = s.x, paths.sy[i] = s.y, paths.sz[i] = s.z;
   paths.state[i].plane = PathState::general_row;
   const float half = 0.5f * weight;
@@ -44,7 +43,20 @@ inline void tile_seeds(const scene::Scene& scene, const Tile& tile, PixelSeeds* 
                            static_cast<std::uint32_t>(tile.y0 + i / tile.width));
 }
 
-// `pixels` lists `count` pixels of the tile; each path carries `weight` of a sample.
+struct PicturePoint {
+  double x, y;  // in pixels from the top left
+};
+
+// Where sample `index` of the pixel (x, y) lies. `second_reversed` is sobol_second_reversed(index).
+inline PicturePoint picture_point(const scene::PixelFilter& filter, int x, int y, std::uint32_t index,
+                                  std::uint32_t second_reversed, const PixelSeeds& seeds) {
+  const float u = pixel_offset_x(index, seeds.x), v = pixel_offset_y(second_reversed, seeds.y);
+  const float left = static_cast<float>(x), top = static_cast<float>(y);
+  if (filter.is_the_pixel()) return {left + u, top + v};
+  return {x + 0.5 + filter.offset_px(u), y + 0.5 + filter.offset_px(v)};
+}
+
+// For a camera that is a pinhole. `pixels` lists `count` pixels of the tile; each path carries `weight` of a sample.
 inline void camera_rays(const scene::Scene& scene, const CameraStart& start, const Tile& tile, const PixelSeeds* seeds,
                         const std::uint16_t* pixels, int count, std::uint32_t sample, float weight, Paths& paths) {
   paths.reserve(static_cast<std::size_t>(count));
@@ -54,8 +66,9 @@ inline void camera_rays(const scene::Scene& scene, const CameraStart& start, con
   alignas(64) double x[tile_pixels + ray_block], y[tile_pixels + ray_block];
   for (int i = 0; i < count; ++i) {
     const int pixel = pixels[i];
-    x[i] = tile.x0 + pixel % tile.width + pixel_offset_x(sample, seeds[pixel].x);
-    y[i] = tile.y0 + pixel / tile.width + pixel_offset_y(second, seeds[pixel].y);
+    const PicturePoint point = picture_point(scene.filter, tile.x0 + pixel % tile.width, tile.y0 + pixel / tile.width,
+                                             sample, second, seeds[pixel]);
+    x[i] = point.x, y[i] = point.y;
     PathState& state = paths.state[first + static_cast<std::size_t>(i)];
     state = {};
     state.random = seeds[pixel].x ^ (seeds[pixel].y * 0x9E3779B9u) ^ (sample * 0x85EBCA6Bu);

@@ -24,10 +24,15 @@ struct RimCone {
   double cos_outermost, cos_innermost;
 };
 
+// How much further a pixel looks than to its own edges.
+inline double filter_reach_pixels(const scene::PixelFilter& filter) {
+  return std::max(0.0, filter.width_px() - 1) * (std::numbers::sqrt2 / 2);
+}
+
 inline double pixel_angle(const scene::Camera& camera) { return math::length(camera.step_x); }  // the largest of any
 
 inline std::vector<RimCone> rim_cones(const scene::Scene& scene) {
-  const double reach = pixel_angle(scene.camera) * (tile_size + rim_inside_pixels);
+  const double reach = pixel_angle(scene.camera) * (tile_size + rim_inside_pixels + filter_reach_pixels(scene.filter));
   std::vector<RimCone> cones;
   for (const scene::Sphere& sphere : scene.spheres) {
     const math::Vec3d to_center = sphere.center - scene.camera.position;
@@ -46,8 +51,10 @@ struct TilePixels {
   int plain_count = 0, rim_count = 0;
 };
 
-inline TilePixels split_pixels(const scene::Camera& camera, const std::vector<RimCone>& cones, const Tile& tile) {
-  const double pixel = pixel_angle(camera);
+inline TilePixels split_pixels(const scene::Scene& scene, const std::vector<RimCone>& cones, const Tile& tile) {
+  const scene::Camera& camera = scene.camera;
+  const double pixel = pixel_angle(camera), further = filter_reach_pixels(scene.filter);
+  const double inside = (rim_inside_pixels + further) * pixel, outside = (rim_outside_pixels + further) * pixel;
   const auto direction = [&](double x, double y) { return math::normalize(camera.through(x, y)); };
   const math::Vec3d middle = direction(tile.x0 + tile.width / 2.0, tile.y0 + tile.height / 2.0);
   bool on_rim[tile_pixels] = {};
@@ -58,7 +65,7 @@ inline TilePixels split_pixels(const scene::Camera& camera, const std::vector<Ri
       const math::Vec3d d = direction(tile.x0 + i % tile.width + 0.5, tile.y0 + i / tile.width + 0.5);
       const double off_axis = std::atan2(math::length(math::cross(cone.axis, d)), math::dot(cone.axis, d));
       const double beyond = off_axis - cone.angular_radius;
-      on_rim[i] |= beyond > -rim_inside_pixels * pixel && beyond < rim_outside_pixels * pixel;
+      on_rim[i] |= beyond > -inside && beyond < outside;
     }
   }
   TilePixels result;

@@ -39,7 +39,7 @@ void TileTransport::add_samples(const Tile& tile, std::uint32_t first, std::uint
   }
   PixelSeeds seeds[tile_pixels];
   tile_seeds(tables_.scene, tile, seeds);
-  const TilePixels pixels = split_pixels(tables_.scene.camera, rims_, tile);
+  const TilePixels pixels = split_pixels(tables_.scene, rims_, tile);
   add_pixels(tile, seeds, pixels.plain, pixels.plain_count, first, end, 1.0f);
   add_pixels(tile, seeds, pixels.rim, pixels.rim_count, rim_samples * first, rim_samples * end, 1.0f / rim_samples);
 }

@@ -39,7 +39,7 @@ std::string allowed_value(const Key& key) {
   if (key.type == type_text(Of<ColorDesc>{}, key.info)) return "'#8040ff'";
   if (key.key == "corners") return "[[0, 0, 0], [1, 2, 0], [0, 1, 7]]";
   if (key.key == "radius") return "1000000";  // larger than any hole
-  if (key.key == "illuminant") return "blackbody:3000K";
+  if (key.key == "illuminant" || key.key == "white_balance") return "blackbody:3000K";
   if (key.key == "turbidity") return "3";
   if (key.key == "medium") return "1.5";
   if (key.key == "stack") return "air | water 300nm | air";
@@ -47,6 +47,9 @@ std::string allowed_value(const Key& key) {
   EXPECT_TRUE(key.info.range.contains(1)) << key.key;
   return "1";
 }
+
+// What each projection alone takes cannot stand together.
+constexpr std::string_view of_perspective = "camera.vertical_fov_deg", of_orthographic = "camera.orthographic_height";
 
 // A whole file in JSON that holds `path` with `value`; of every choice the one that `path` wants, else the first.
 std::string file_with(const Mapping& mapping, const std::string& above, const std::string& path,
@@ -71,7 +74,9 @@ std::string file_with(const Mapping& mapping, const std::string& above, const st
       for (int i = 0; i < std::max(key.info.items, 1); ++i)
         content += (i == 0 ? "[" : ", ") + file_with(key.below(), here + "[" + std::to_string(i) + "]", path, value);
     if (key.below != nullptr && key.is_list) content += "]";
+    if (here == "camera.projection" && path == of_orthographic) content = "orthographic";
     if (here == path) content = value;
+    if (here == (path == of_orthographic ? of_perspective : of_orthographic)) continue;
     if (content == "(none)") continue;
     text += (text.empty() ? "" : ", ") + std::string(key.key) + ": " + content;
   }

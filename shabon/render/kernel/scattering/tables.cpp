@@ -127,7 +127,12 @@ struct SurfaceTables {
   }
 };
 
-// The medium around the camera: that on the near side of the first boundary it sees, the scene's where it sees none.
+std::vector<Comb> combs_of(const scene::Scene& scene) {
+  return wavelength_combs(color::observer_1931(), scene.environment.channels);
+}
+
+}  // namespace
+
 int space_at(const ScatteringTables& tables, math::Vec3d origin, math::Vec3d direction) {
   int from = geometry::no_shape;
   constexpr int most_surfaces = 64;
@@ -146,12 +151,6 @@ int space_at(const ScatteringTables& tables, math::Vec3d origin, math::Vec3d dir
   return 0;
 }
 
-std::vector<Comb> combs_of(const scene::Scene& scene) {
-  return wavelength_combs(color::observer_1931(), scene.environment.channels);
-}
-
-}  // namespace
-
 ScatteringTables::ScatteringTables(const scene::Scene& of, std::optional<std::vector<Comb>> chosen)
     : scene(of), films(of, {}, chosen), shapes(placed_shapes(of)), shape(shape_tables(of)), lamps(of) {
   const std::vector<Comb> combs = chosen ? *std::move(chosen) : combs_of(of);
@@ -167,6 +166,8 @@ ScatteringTables::ScatteringTables(const scene::Scene& of, std::optional<std::ve
       reflectances.push_back(math::convert<float>(LanesD::load(values)));
     }
   camera_space = space_at(*this, of.camera.position, of.camera.forward);
+  camera_spaces_differ = !of.camera.rays_begin_in_one_point() &&
+                         std::any_of(spaces.begin(), spaces.end(), [](const SpaceTable& s) { return s.absorbs; });
 }
 
 }  // namespace SHABON_REGISTERS

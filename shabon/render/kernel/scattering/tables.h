@@ -55,7 +55,13 @@ struct ScatteringTables {
   std::vector<Lanes> reflectances;  // [comb * reflectance_count + channel]
   LampSampling lamps;
   int camera_space = 0;  // where the camera stands
+  // Some medium fades light, and the camera's rays begin in more than one place: each has to look where it is.
+  bool camera_spaces_differ = false;
 };
+
+// The medium around a point: that on the near side of the first boundary in that direction, the scene's where there is
+// none.
+int space_at(const ScatteringTables& tables, math::Vec3d origin, math::Vec3d direction);
 
 }  // namespace SHABON_REGISTERS
 }  // namespace shabon::render

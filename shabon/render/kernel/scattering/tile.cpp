@@ -5,21 +5,32 @@
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
+namespace {
+
+constexpr std::uint32_t lens_key = 0x1E4539A7u;  // names the choice of a point of the lens
+
+}  // namespace
+
 WalkStart ScatteringTile::start_of(const Tile& tile, int pixel, const PixelSeeds& seeds, std::uint32_t sample) const {
   const scene::Scene& scene = tables_.scene;
-  const double x = tile.x0 + pixel % tile.width + pixel_offset_x(sample, seeds.x);
-  const double y = tile.y0 + pixel / tile.width + pixel_offset_y(sobol_second_reversed(sample), seeds.y);
+  const PicturePoint at = picture_point(scene.filter, tile.x0 + pixel % tile.width, tile.y0 + pixel / tile.width,
+                                        sample, sobol_second_reversed(sample), seeds);
   WalkStart start;
-  start.origin = scene.camera.position;
-  start.direction = math::normalize(scene.camera.through(x, y));
   start.sample = sample;
   start.seed = seeds.x ^ (seeds.y * 0x9E3779B9u);
+  scene::LensPoint on_lens;
+  if (scene.camera.has_lens()) {
+    const SamplePair pair = sample_pair(sample, start.seed ^ lens_key);
+    on_lens = scene::lens_point(pair.first, pair.second);
+  }
+  const scene::CameraRay ray = scene.camera.ray(at.x, at.y, on_lens);
+  start.origin = ray.origin, start.direction = ray.direction;
+  if (tables_.camera_spaces_differ) start.space = space_at(tables_, start.origin, start.direction);
   start.comb = static_cast<std::size_t>(comb_of_sample(sample));
   start.carried = start_.carried;
   start.row = {unpolarized(Lanes(start_.carried)), {}, false};
   if (start_.polarized) {
-    const math::Vec3d& d = start.direction;
-    start.row.s = math::normalize(scene.camera.right - d * math::dot(scene.camera.right, d));
+    start.row.s = scene.camera.polarizer_right(start.direction);
     start.row.row = {Lanes(0.5f), Lanes(0.5f * start_.cos_2a), Lanes(0.5f * start_.sin_2a), Lanes(0.0f)};
     start.row.polarized = true;
   }

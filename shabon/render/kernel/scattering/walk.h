@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "shabon/render/kernel/scattering/lobe.h"
@@ -18,6 +19,7 @@ struct WalkStart {
   std::uint32_t sample = 0;  // number in the pixel's sequence
   std::uint32_t seed = 0;    // of the pixel
   std::size_t comb = 0;
+  std::optional<int> space;  // the medium around the origin, ScatteringTables::spaces; by default the camera's
 };
 
 struct WalkCounts {
@@ -63,15 +65,13 @@ class Walk {
   void step(Ray& ray);
   void leave(const Ray& ray);
   void add(const Ray& ray, const Lanes& radiance, double weight);
-  void estimate(const Ray& ray, const Vertex& vertex);
-  void choose(const Ray& ray);
   void meet(const Ray& ray, const Vertex& vertex, int shape);
-  void light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape);
+  void light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape, const float* chance);
   bool reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp, int space, Lanes& radiance);
-  void go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, std::uint32_t key);
+  void go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, float chance, std::uint32_t key);
   void go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, const Lobe& lobe, int shape,
-                std::uint32_t key);
-  void push(Ray& ray, std::uint32_t key, float least);
+                float chance, std::uint32_t key);
+  void push(Ray& ray, std::uint32_t key);
   void pass_cut(const Ray& ray, const Vertex& vertex, int shape);
   int space_behind(const Lobe& lobe, const Vertex& vertex, int otherwise) const;
   Lanes environment(const math::Vec3d& direction);
