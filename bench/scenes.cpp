@@ -12,13 +12,15 @@ namespace shabon::bench {
 
 namespace {
 
-constexpr std::string_view windows_scene = SHABON_BENCH_DATA "/windows-bubble.yaml";
+Result<scene::Scene> load(std::string_view file, const std::vector<std::string>& overrides) {
+  constexpr std::size_t most_bytes = 1 << 16;
+  const auto text = io::read_text_file(file, most_bytes);
+  if (!text) return text.errors();
+  return scene::load_scene(*text, std::string(file), overrides, api::file_resources(SHABON_BENCH_DATA));
+}
 
 Result<scene::Scene> load_windows(const std::vector<std::string>& overrides) {
-  constexpr std::size_t most_bytes = 1 << 16;
-  const auto text = io::read_text_file(windows_scene, most_bytes);
-  if (!text) return text.errors();
-  return scene::load_scene(*text, std::string(windows_scene), overrides, api::file_resources(SHABON_BENCH_DATA));
+  return load(SHABON_BENCH_DATA "/windows-bubble.yaml", overrides);
 }
 
 }  // namespace
@@ -35,5 +37,7 @@ Result<scene::Scene> plain_bubble(std::string_view medium, std::string_view inte
   return load_windows({"environment.constant={illuminant: D65}", "objects[0].bubble.film.medium=" + std::string(medium),
                        "render.interference=" + std::string(interference)});
 }
+
+Result<scene::Scene> coated_room() { return load(SHABON_BENCH_DATA "/coated-room.yaml", {}); }
 
 }  // namespace shabon::bench

@@ -15,4 +15,7 @@ Result<scene::Scene> windows_bubble(double rotation_deg = 0);
 // The same bubble without its surroundings, of a film medium and an interference model, each as in a scene file.
 Result<scene::Scene> plain_bubble(std::string_view medium, std::string_view interference);
 
+// A white room with one lamp, coated spheres and a bubble.
+Result<scene::Scene> coated_room();
+
 }  // namespace shabon::bench

@@ -22,23 +22,30 @@ namespace shabon::app {
 namespace {
 
 constexpr double least_told_cut = 1e-6;  // share of the light
+constexpr long long most_samples = 1'000'000'000;
 
 struct ProbeCommand {
   SceneInput scene;
   std::vector<double> pixel, ray;
   std::vector<double> wavelengths_nm;
   std::size_t format = 0;
+  std::optional<long long> samples;
 };
 
 struct ProbedSpectrum {
   std::vector<double> wavelengths_nm, radiance;
-  color::Xyz xyz;  // only for formats that show it
+  std::vector<double> standard_error;  // empty where nothing was left to chance
+  color::Xyz xyz;                      // only for formats that show it
 };
 
 std::string probe_csv(const ProbedSpectrum& probed) {
-  std::string csv = "wavelength_nm,radiance\n";
-  for (std::size_t i = 0; i < probed.radiance.size(); ++i)
-    csv += format_number(probed.wavelengths_nm[i]) + "," + format_exact(probed.radiance[i]) + "\n";
+  const bool by_chance = !probed.standard_error.empty();
+  std::string csv = by_chance ? "wavelength_nm,radiance,standard_error\n" : "wavelength_nm,radiance\n";
+  for (std::size_t i = 0; i < probed.radiance.size(); ++i) {
+    csv += format_number(probed.wavelengths_nm[i]) + "," + format_exact(probed.radiance[i]);
+    if (by_chance) csv += "," + format_exact(probed.standard_error[i]);
+    csv += "\n";
+  }
   return csv;
 }
 
@@ -46,6 +53,7 @@ std::string probe_json(const ProbedSpectrum& probed) {
   const color::LinearRgb rgb = color::xyz_to_linear_srgb(probed.xyz);
   JsonObject json;
   json.add("wavelength_nm", probed.wavelengths_nm).add("radiance", probed.radiance);
+  if (!probed.standard_error.empty()) json.add("standard_error", probed.standard_error);
   json.add("XYZ", {probed.xyz.x, probed.xyz.y, probed.xyz.z}).add("linear_srgb", {rgb.r, rgb.g, rgb.b});
   return json.text();
 }
@@ -89,8 +97,8 @@ std::vector<double> traced_wavelengths_nm(const ProbeCommand& command) {
 }
 
 // What was traced as what is shown.
-ProbedSpectrum shown(const ProbeCommand& command, std::vector<double> radiance) {
-  ProbedSpectrum probed{command.wavelengths_nm, std::move(radiance), {}};
+ProbedSpectrum shown(const ProbeCommand& command, render::ProbeResult result) {
+  ProbedSpectrum probed{command.wavelengths_nm, std::move(result.radiance), std::move(result.standard_error), {}};
   const std::size_t asked = command.wavelengths_nm.size();
   if (formats[command.format].shows_color) {
     color::Spectrum spectrum;
@@ -98,6 +106,7 @@ ProbedSpectrum shown(const ProbeCommand& command, std::vector<double> radiance) 
     probed.xyz = color::radiance_to_xyz(spectrum);
   }
   probed.radiance.resize(asked);
+  if (!probed.standard_error.empty()) probed.standard_error.resize(asked);
   return probed;
 }
 
@@ -118,10 +127,14 @@ int run_probe(const ProbeCommand& command) {
   const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
   if (!ray) return report(ray.errors());
 
-  const Result<render::ProbeResult> result = render::probe(loaded->scene, *ray, traced_wavelengths_nm(command));
+  render::ProbeOptions options;
+  if (command.samples) options.samples = static_cast<std::size_t>(*command.samples);
+  options.seed = loaded->scene.render.seed;
+  const Result<render::ProbeResult> result =
+      render::probe(loaded->scene, *ray, traced_wavelengths_nm(command), options);
   if (!result) return report(result.errors());
   tell_cut(*result);
-  return print_result(formats[command.format].write(shown(command, result->radiance)));
+  return print_result(formats[command.format].write(shown(command, *result)));
 }
 
 }  // namespace
@@ -134,10 +147,13 @@ Action declare_probe(CLI::App& app) {
   add_tuple(app, "--ray", command->ray, 6, "OX OY OZ DX DY DZ", "From a point in a direction; no polariser")
       ->excludes(pixel);
   add_wavelengths(app, command->wavelengths_nm, "380:780:5", {.low = color::first_nm, .high = color::last_nm});
+  add_integer(app, "--samples", command->samples, 1, most_samples,
+              "Walks a wavelength where chance is needed; the error falls with their root [4096]");
   add_choice(app, "--format", command->format, formats, "Form of the output");
   app.footer(
       R"(Radiance is per nm, scaled so that its sum with the observer's ybar over 360..830 nm at 1 nm is Y; a lamp of scale 1
-seen directly has Y = 1. XYZ and linear_srgb of the JSON are sums over that whole range.
+seen directly has Y = 1. Bubbles alone need no random numbers; in a scene with surfaces the radiance is a mean with its
+standard error. XYZ and linear_srgb of the JSON are sums over that whole range.
 X may have fractions, from -0.5 at the left edge to W-0.5 at the right; Y likewise, from the top edge to the bottom.
 
 Examples:

@@ -112,6 +112,8 @@ Action declare_render(CLI::App& app) {
             "Picture to write, .png or .exr; may be repeated [bubble.png, or the scene's name with .png]");
   add_scene_integer(app, command->scene, "--samples", "render.samples", scene::samples_range, "Camera samples a pixel");
   add_scene_integer(app, command->scene, "--seed", "render.seed", scene::seed_range, "Start of the random numbers");
+  add_scene_name(app, command->scene, "--transport", "render.transport", scene::transport_names(),
+                 "How paths are followed");
   add_integer(app, "--threads", command->threads, 1, most_threads, "Threads; never changes the picture [one a core]");
   add_number(app, "--exposure", command->exposure_ev, scene::exposure_range, "EV",
              "Brightens PNG pictures by 2^EV, on top of image.exposure_ev [0]");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "options.h"
@@ -48,12 +49,18 @@ void add_scene_input(CLI::App& app, SceneInput& input) {
   std::vector<std::string_view> models;
   models.reserve(std::size(optics::interference_models));
   for (const auto& model : optics::interference_models) models.push_back(model.name);
-  const auto read_model = [&input, models](const std::string& text) {
-    if (!optics::find_interference(text)) usage_error("--interference", unknown_name("value", text, models));
-    input.flags.push_back("render.interference=" + lower(text));
+  add_scene_name(app, input, "--interference", "render.interference", models, "Model of interference");
+}
+
+void add_scene_name(CLI::App& app, SceneInput& input, const std::string& names, const std::string& path,
+                    const std::vector<std::string_view>& known, const std::string& description) {
+  const auto read = [&input, names, path, known](const std::string& text) {
+    const std::string name = lower(text);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      usage_error(names, unknown_name("value", text, known));
+    input.flags.push_back(path + "=" + name);
   };
-  app.add_option_function<std::string>("--interference", read_model,
-                                       fmt::format("Model of interference: {}", fmt::join(models, ", ")))
+  app.add_option_function<std::string>(names, read, fmt::format("{}: {}", description, fmt::join(known, ", ")))
       ->type_name("NAME");
 }
 

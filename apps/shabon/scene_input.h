@@ -26,6 +26,10 @@ void add_scene_input(CLI::App& app, SceneInput& input);
 void add_scene_integer(CLI::App& app, SceneInput& input, const std::string& names, const std::string& path, Range range,
                        const std::string& description);
 
+// A flag that stands for one of a closed set of names in the scene file, such as render.transport.
+void add_scene_name(CLI::App& app, SceneInput& input, const std::string& names, const std::string& path,
+                    const std::vector<std::string_view>& known, const std::string& description);
+
 struct LoadedScene {
   scene::Scene scene;
   std::string name;                               // the file as given, or "<built-in scene>"

@@ -6,6 +6,7 @@
 
 #include "shabon/base/parallel.h"
 #include "shabon/render/kernel/probe_tree.h"
+#include "shabon/render/kernel/scattering/probe_walks.h"
 
 namespace shabon::render {
 
@@ -106,6 +107,15 @@ ProbeStart start_of(const scene::Scene& scene, const ProbeRay& ray) {
   return start;
 }
 
+WalkStart walk_start_of(const ProbeStart& start) {
+  WalkStart walk;
+  walk.origin = start.origin, walk.direction = start.direction;
+  const auto lanes = [](double x) { return Lanes(static_cast<float>(x)); };
+  walk.row = {{lanes(start.q0), lanes(start.q1), lanes(start.q2), Lanes(0.0f)}, start.s, start.q0 != 1};
+  walk.carried = static_cast<float>(start.q0);
+  return walk;
+}
+
 }  // namespace
 
 ProbeRay pixel_ray(const scene::Scene& scene, double x, double y) {
@@ -113,13 +123,16 @@ ProbeRay pixel_ray(const scene::Scene& scene, double x, double y) {
   return {ray.origin, ray.direction, true};
 }
 
-Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::span<const double> wavelengths_nm) {
+Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::span<const double> wavelengths_nm,
+                          const ProbeOptions& options) {
   if (!finite(ray.origin) || !finite(ray.direction) || !(math::length(ray.direction) > 0))
     return fail(Failure::usage, "expected a ray with finite numbers and a direction other than 0 0 0");
   for (const double nm : wavelengths_nm)
     if (!(nm >= optics::rendered_range_nm.first_nm && nm <= optics::rendered_range_nm.last_nm))
       return fail(Failure::usage, "expected wavelengths from 360 to 830 nm");
-  return Probe(scene, start_of(scene, ray), wavelengths_nm).trace();
+  const ProbeStart start = start_of(scene, ray);
+  if (!scene.objects.empty()) return probe_walks(scene, walk_start_of(start), wavelengths_nm, options);
+  return Probe(scene, start, wavelengths_nm).trace();
 }
 
 }  // namespace shabon::render

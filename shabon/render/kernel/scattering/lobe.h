@@ -58,8 +58,10 @@ struct Lobe {
   float alpha = 0;
   float lost = 0;  // rough mirror: what single scattering loses towards the eye, carried by a diffuse part
   CoatingHere coating;
-  float share = 1;              // of the surface, where several are mixed
-  float estimate = 0;           // about what goes on this way, of the row that arrives
+  float share = 1;     // of the surface, where several are mixed
+  float estimate = 0;  // about what goes on this way, of the row that arrives
+  float chance = 1;    // with which it is followed
+  bool followed = true;
   std::int16_t film_slot = -1;  // free films: the next one on the same spot
 };
 

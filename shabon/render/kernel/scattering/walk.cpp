@@ -10,8 +10,10 @@ inline namespace SHABON_REGISTERS {
 
 namespace {
 
-// After this many chances a path goes on only as likely as it carries light.
+// A path that has met so many surfaces and is scattered again goes on only as likely as it carries this much. What a
+// film or glass mirrors carries less and may show a lamp, which nothing else finds: it goes on down to less.
 constexpr int surfaces_before_roulette = 3;
+constexpr float least_carried_by_scattering = 0.25f, least_carried_after_chance = 0.005f;
 
 }  // namespace
 
@@ -114,48 +116,56 @@ void Walk::fade(Row& row, int space, double distance) const {
   row = scaled(row, left);
 }
 
-void Walk::meet(const Ray& ray, const Vertex& vertex, int shape) {
-  float chance[most_lobes], total = 0;
-  bool scatters = false;
+// About how much of the row goes on by each lobe.
+void Walk::estimate(const Ray& ray, const Vertex& vertex) {
   const math::Vec3d s = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
   const Row row = ray.row.in_frame(vertex.direction, s);
   for (int k = 0; k < lobes_.count; ++k) {
     Lobe& lobe = lobes_.lobe[k];
-    if (lobe.kind == LobeKind::diffuse)
-      lobe.estimate = mean(row.q0 * lobe.albedo);
-    else if (lobe.kind == LobeKind::embedded)
-      lobe.estimate = mean((lobe.block.a * row.q0 + lobe.block.b * row.q1) * lobe.albedo *
-                           lobe.coating.table->n_behind_squared[comb_]);
-    else
-      lobe.estimate = mean(lobe.block.a * row.q0 + lobe.block.b * row.q1);
-    lobe.estimate = std::max(0.0f, lobe.estimate * lobe.share);
-    total += lobe.estimate;
-    scatters = scatters || !is_smooth(lobe.kind);
+    Lanes onward = row.q0 * lobe.albedo;
+    if (lobe.kind != LobeKind::diffuse) onward = lobe.block.a * row.q0 + lobe.block.b * row.q1;
+    if (lobe.kind == LobeKind::embedded) onward = onward * lobe.albedo * lobe.coating.table->n_behind_squared[comb_];
+    lobe.estimate = std::max(0.0f, mean(onward) * lobe.share);
   }
-  if (!(total > 0)) return;
-  const bool split = tables_.scene.render.transport == scene::Transport::tree && !ray.by_chance;
-  int only = -1;
-  for (int k = 0; k < lobes_.count; ++k) chance[k] = split ? 1 : lobes_.lobe[k].estimate / total;
-  if (!split) {
-    auto u = static_cast<float>(sample_number(sample_, key_for(ray.key, which_lobe))) * total;
-    for (int k = 0; k < lobes_.count; ++k) {
-      if (lobes_.lobe[k].estimate <= 0) continue;
-      only = k;
-      u -= lobes_.lobe[k].estimate;
-      if (u < 0) break;
-    }
-  }
-  const LocalFrame frame(vertex.normal);
-  if (scatters && tables_.lamps.has_lamps()) light_from_lamps(ray, vertex, frame, shape, chance);
+}
+
+// The tree follows all lobes until light has scattered, then all smooth ones and one of the others; a single path
+// follows one of all.
+void Walk::choose(const Ray& ray) {
+  const bool tree = tables_.scene.render.transport == scene::Transport::tree;
+  const auto is_drawn = [&](const Lobe& lobe) { return !tree || (ray.by_chance && !is_smooth(lobe.kind)); };
+  float total = 0;
+  int drawn = -1;
+  for (int k = 0; k < lobes_.count; ++k)
+    if (is_drawn(lobes_.lobe[k])) total += lobes_.lobe[k].estimate;
+  float u = total > 0 ? static_cast<float>(sample_number(sample_, key_for(ray.key, which_lobe))) * total : 0;
   for (int k = 0; k < lobes_.count; ++k) {
-    if (only >= 0 && k != only) continue;
-    const Lobe lobe = lobes_.lobe[k];
-    if (lobe.estimate <= 0) continue;
+    Lobe& lobe = lobes_.lobe[k];
+    lobe.followed = lobe.estimate > 0;
+    lobe.chance = 1;
+    if (!is_drawn(lobe) || lobe.estimate <= 0) continue;
+    lobe.chance = lobe.estimate / total, lobe.followed = false;
+    if (u >= 0) drawn = k;
+    u -= lobe.estimate;
+  }
+  if (drawn >= 0) lobes_.lobe[drawn].followed = true;
+}
+
+void Walk::meet(const Ray& ray, const Vertex& vertex, int shape) {
+  estimate(ray, vertex);
+  choose(ray);
+  const LocalFrame frame(vertex.normal);
+  const auto scatters = [](const Lobe& lobe) { return !is_smooth(lobe.kind) && lobe.estimate > 0; };
+  if (tables_.lamps.has_lamps() && std::any_of(lobes_.lobe, lobes_.lobe + lobes_.count, scatters))
+    light_from_lamps(ray, vertex, frame, shape);
+  for (int k = 0; k < lobes_.count; ++k) {
+    const Lobe& lobe = lobes_.lobe[k];
+    if (!lobe.followed) continue;
     const std::uint32_t key = mixed_bits(ray.key + 0x632BE5ABu * static_cast<std::uint32_t>(k + 1));
     if (is_smooth(lobe.kind))
-      go_smooth(ray, vertex, lobe, shape, chance[k], key);
+      go_smooth(ray, vertex, lobe, shape, key);
     else
-      go_rough(ray, vertex, frame, lobe, shape, chance[k], key);
+      go_rough(ray, vertex, frame, lobe, shape, key);
   }
 }
 
@@ -164,13 +174,12 @@ int Walk::space_behind(const Lobe& lobe, const Vertex& vertex, int otherwise) co
   return vertex.from_back ? lobe.coating.table->space_in_front : lobe.coating.table->space_behind;
 }
 
-void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, float chance,
-                     std::uint32_t key) {
+void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, std::uint32_t key) {
   Ray next = ray;
   if (!smooth_direction(vertex, lobe, next.direction)) return;
   const math::Vec3d s = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
   Row row = optics::through(ray.row.in_frame(vertex.direction, s), lobe.block);
-  Lanes factor(lobe.share / chance);
+  Lanes factor(lobe.share / lobe.chance);
   if (lobe.parts_wavelengths) factor = factor * only_lane(hero_), next.one_lane = true;
   next.row = {scaled(row, factor), s, true};
   next.origin = vertex.at.position;
@@ -178,12 +187,12 @@ void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int
   next.film_slot = lobe.film_slot;
   if (lobe.kind == LobeKind::refracted) next.space = space_behind(lobe, vertex, ray.space);
   if (lobe.kind != LobeKind::straight) next.shares_lamps = false;
-  next.by_chance = ray.by_chance || chance < 1;
-  push(next, key);
+  next.by_chance = ray.by_chance || lobe.chance < 1;
+  push(next, key, ray.by_chance ? least_carried_after_chance : 0);
 }
 
 void Walk::go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, const Lobe& lobe, int shape,
-                    float chance, std::uint32_t key) {
+                    std::uint32_t key) {
   Ray next = ray;
   const SamplePair u = sample_pair(sample_, key_for(key, lobe_direction));
   const double part = sample_number(sample_, key_for(key, lobe_part));
@@ -191,7 +200,7 @@ void Walk::go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& fram
   const double pdf = density(vertex, frame, lobe, next.direction);
   if (!(pdf > 0)) return;
   next.row = scattered(vertex, frame, lobe, ray.row, next.direction);
-  Lanes factor(static_cast<float>(lobe.share / (chance * pdf)));
+  Lanes factor(static_cast<float>(lobe.share / (lobe.chance * pdf)));
   if (lobe.parts_wavelengths) factor = factor * only_lane(hero_), next.one_lane = true;
   next.row.row = scaled(next.row.row, factor);
   next.origin = vertex.at.position;
@@ -201,18 +210,17 @@ void Walk::go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& fram
   next.by_chance = true;
   next.shares_lamps = tables_.lamps.has_lamps();
   next.scattered_at = vertex.at.position;
-  next.density = pdf * chance;
-  push(next, key);
+  next.density = pdf * lobe.chance;
+  push(next, key, ray.by_chance && ray.depth >= surfaces_before_roulette ? least_carried_by_scattering : 0);
 }
 
-// Equation (26), and more boldly once chance rules: what carries little goes on seldom.
-void Walk::push(Ray& ray, std::uint32_t key) {
+// Equation (26), with `least` in place of the threshold where that is larger.
+void Walk::push(Ray& ray, std::uint32_t key, float least) {
   ray.key = key;
   ++ray.depth;
   ray.carried = mean(ray.row.row.q0);
   if (!(ray.carried > 0)) return;
-  float threshold = static_cast<float>(tables_.scene.render.split_threshold);
-  if (ray.by_chance && ray.depth > surfaces_before_roulette) threshold = std::max(threshold, 0.25f);
+  const float threshold = std::max(least, static_cast<float>(tables_.scene.render.split_threshold));
   if (ray.carried < threshold) {
     const auto u = static_cast<float>(sample_number(sample_, key_for(key, roulette)));
     if (u * threshold >= ray.carried) return;

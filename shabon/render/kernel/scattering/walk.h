@@ -65,13 +65,15 @@ class Walk {
   void step(Ray& ray);
   void leave(const Ray& ray);
   void add(const Ray& ray, const Lanes& radiance, double weight);
+  void estimate(const Ray& ray, const Vertex& vertex);
+  void choose(const Ray& ray);
   void meet(const Ray& ray, const Vertex& vertex, int shape);
-  void light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape, const float* chance);
+  void light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape);
   bool reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp, int space, Lanes& radiance);
-  void go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, float chance, std::uint32_t key);
+  void go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, std::uint32_t key);
   void go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, const Lobe& lobe, int shape,
-                float chance, std::uint32_t key);
-  void push(Ray& ray, std::uint32_t key);
+                std::uint32_t key);
+  void push(Ray& ray, std::uint32_t key, float least);
   void pass_cut(const Ray& ray, const Vertex& vertex, int shape);
   int space_behind(const Lobe& lobe, const Vertex& vertex, int otherwise) const;
   Lanes environment(const math::Vec3d& direction);

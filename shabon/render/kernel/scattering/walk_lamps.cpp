@@ -13,8 +13,7 @@ constexpr int most_crossings = 64;
 }  // namespace
 
 // One lamp, one shadow ray, all lobes; each lobe weighs its light against its own scattered rays, (58).
-void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape,
-                            const float* chance) {
+void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape) {
   const double u_lamp = sample_number(sample_, key_for(ray.key, which_lamp));
   const SamplePair u = sample_pair(sample_, key_for(ray.key, lamp_direction));
   const auto lamp = tables_.lamps.sample(vertex.at.position, u_lamp, u.first, u.second);
@@ -27,7 +26,7 @@ void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFra
     const double pdf = density(vertex, frame, lobe, lamp->direction);
     if (!(pdf > 0)) continue;
     FramedRow row = scattered(vertex, frame, lobe, ray.row, lamp->direction);
-    Lanes factor(static_cast<float>(lobe.share / (lamp->pdf + pdf * chance[k])));
+    Lanes factor(static_cast<float>(lobe.share / (lamp->pdf + pdf * lobe.chance)));
     if (lobe.parts_wavelengths) factor = factor * only_lane(hero_);
     row.row = scaled(row.row, factor);
     if (lobe.kind == LobeKind::rough_refracted) space = space_behind(lobe, vertex, ray.space);
