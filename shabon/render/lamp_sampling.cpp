@@ -7,17 +7,13 @@
 
 #include "shabon/color/observer.h"
 #include "shabon/color/xyz.h"
+#include "shabon/render/base_brightness.h"
 
 namespace shabon::render {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-math::Vec3d direction_of(double u, double v) {
-  const double azimuth = 2 * pi * (u - 0.5), polar = pi * v;
-  return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
-}
 
 // The place of `value` in a rising row of sums that begins at 0, as a number of cells.
 double place_in(const double* sums, int cells, double value) {
@@ -32,9 +28,10 @@ double place_in(const double* sums, int cells, double value) {
 
 DirectionTable::DirectionTable(int width, int height, const std::vector<double>& brightness)
     : width_(width), height_(height), rows_(1, 0.0) {
+  columns_.reserve(static_cast<std::size_t>(height) * static_cast<std::size_t>(width + 1));
   for (int row = 0; row < height; ++row) {
-    // The solid angle of a row's cells.
-    const double solid_angle = 2 * pi / width * (std::cos(pi * row / height) - std::cos(pi * (row + 1) / height));
+    const double solid_angle = cell_solid_angle(width, height, row);
+    solid_angles_.push_back(solid_angle);
     double sum = 0;
     columns_.push_back(0);
     for (int column = 0; column < width; ++column) {
@@ -62,53 +59,13 @@ double DirectionTable::pdf(const math::Vec3d& d) const {
   const double u = 0.5 + std::atan2(d.x, -d.z) / (2 * pi), v = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi;
   const int column = std::clamp(static_cast<int>(u * width_), 0, width_ - 1);
   const int row = std::clamp(static_cast<int>(v * height_), 0, height_ - 1);
-  const double solid_angle = 2 * pi / width_ * (std::cos(pi * row / height_) - std::cos(pi * (row + 1) / height_));
   const double* sums = &columns_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_ + 1)];
-  return (sums[column + 1] - sums[column]) / (rows_.back() * solid_angle);
+  return (sums[column + 1] - sums[column]) / (rows_.back() * solid_angles_[static_cast<std::size_t>(row)]);
 }
 
 namespace {
 
 double luminance(const color::Spectrum& radiance) { return color::radiance_to_xyz(radiance, color::observer_1931()).y; }
-
-// The base light alone: what lies in the directions of a grid, its corners and its middle.
-struct BaseGrid {
-  int width, height;
-  std::vector<double> brightness;
-  double irradiance = 0;  // the integral over all directions
-};
-
-BaseGrid base_grid(const scene::Environment& environment, const std::vector<double>& channel_y) {
-  BaseGrid grid{512, 256, {}, 0};
-  if (const auto* image = std::get_if<scene::ImageLight>(&environment.base)) {
-    grid.width = std::clamp(image->picture->width, 64, 2048);
-    grid.height = std::clamp(image->picture->height, 32, 1024);
-  }
-  scene::Environment base = environment;
-  base.softboxes.clear();
-  std::vector<double> coefficients(channel_y.size());
-  const auto at = [&](double u, double v) {
-    base.coefficients<double>(direction_of(u, v), coefficients);
-    double y = 0;
-    for (std::size_t k = 0; k < channel_y.size(); ++k) y += coefficients[k] * channel_y[k];
-    return std::max(0.0, y);
-  };
-  grid.brightness.resize(static_cast<std::size_t>(grid.width * grid.height));
-  for (int row = 0; row < grid.height; ++row)
-    for (int column = 0; column < grid.width; ++column) {
-      double sum = 0;
-      for (const double du : {0.1, 0.9})
-        for (const double dv : {0.1, 0.9}) sum += at((column + du) / grid.width, (row + dv) / grid.height);
-      const double mean = sum / 4;
-      grid.brightness[static_cast<std::size_t>(row * grid.width + column)] = mean;
-      grid.irradiance +=
-          mean * 2 * pi / grid.width * (std::cos(pi * row / grid.height) - std::cos(pi * (row + 1) / grid.height));
-    }
-  // A little everywhere: what lies between the points looked at is found too.
-  const double floor = 0.02 * grid.irradiance / (4 * pi);
-  for (double& value : grid.brightness) value += floor;
-  return grid;
-}
 
 double solid_angle_of(const scene::RoundSoftbox& softbox) { return 2 * pi * (1 - softbox.cos_half_angle); }
 
@@ -134,7 +91,7 @@ math::Vec3d sample_softbox(const scene::WindowSoftbox& softbox, double u1, doubl
 }
 
 double softbox_density(const scene::RoundSoftbox& softbox, const math::Vec3d& d) {
-  return math::dot(d, softbox.axis) >= softbox.cos_half_angle ? 1 / solid_angle_of(softbox) : 0;
+  return softbox.chord_squared(d) <= softbox.rim_chord_squared() ? 1 / solid_angle_of(softbox) : 0;
 }
 
 double softbox_density(const scene::WindowSoftbox& softbox, const math::Vec3d& d) {
@@ -151,7 +108,7 @@ LampSampling::LampSampling(const scene::Scene& scene) : scene_(scene), lamp_of_o
   const scene::Environment& environment = scene.environment;
   std::vector<double> channel_y;
   for (const color::Spectrum& channel : environment.channels) channel_y.push_back(luminance(channel));
-  const BaseGrid grid = base_grid(environment, channel_y);
+  const BaseBrightness grid = base_brightness(environment, channel_y);
   if (grid.irradiance > 0) base_.emplace(grid.width, grid.height, grid.brightness);
   infinity_brightness_ = grid.irradiance;
   for (std::size_t i = 0; i < environment.softboxes.size(); ++i) {

@@ -21,8 +21,9 @@ class DirectionTable {
 
  private:
   int width_, height_;
-  std::vector<double> rows_;     // cumulative, height_ + 1
-  std::vector<double> columns_;  // cumulative in each row, height_ * (width_ + 1)
+  std::vector<double> solid_angles_;  // of a cell in each row
+  std::vector<double> rows_;          // cumulative, height_ + 1
+  std::vector<double> columns_;       // cumulative in each row, height_ * (width_ + 1)
 };
 
 struct LampDirection {
