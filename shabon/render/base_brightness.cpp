@@ -67,7 +67,8 @@ Footprint footprint(int i, int cells, int texels, double shift) {
 // A picture by the exact means of its bilinear values over the cells (in u and v).
 BaseBrightness looked_at(const scene::ImageLight& light, const std::vector<double>& channel_y) {
   const scene::EnvironmentPicture& picture = *light.picture;
-  BaseBrightness grid = grid_of(std::clamp(picture.width, 64, 2048), std::clamp(picture.height, 32, 1024));
+  // Two cells a texel follow its slopes.
+  BaseBrightness grid = grid_of(std::clamp(2 * picture.width, 64, 2048), std::clamp(2 * picture.height, 32, 1024));
   const auto channel = [&](int c) {
     return light.scale * channel_y[static_cast<std::size_t>(light.first_channel + c)];
   };

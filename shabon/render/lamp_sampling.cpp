@@ -204,8 +204,9 @@ double LampSampling::pdf_object(const math::Vec3d& point, int object, const math
   const ObjectLamp& lamp = lamps_[static_cast<std::size_t>(index)];
   double total = 0;
   share_of_infinity(point, &total);
-  return weight(lamp, point) / total *
-         geometry::pdf_toward(scene_.objects[static_cast<std::size_t>(object)].shape, point, direction, distance);
+  // In the order of sample(): the same bits.
+  return geometry::pdf_toward(scene_.objects[static_cast<std::size_t>(object)].shape, point, direction, distance) *
+         weight(lamp, point) / total;
 }
 
 }  // namespace shabon::render
