@@ -182,18 +182,7 @@ void declare_light(CLI::App& app, ChartCommand& command) {
   for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
     if (color::gamut_mappings()[i].mapping == color::default_gamut_mapping) chart.gamut_index = i;
   add_choice(app, "--gamut", chart.gamut_index, color::gamut_mappings(), "What is shown for colours beyond sRGB");
-  std::vector<std::string_view> methods = {"none"};
-  for (const color::AdaptationEntry& entry : color::adaptations()) methods.push_back(entry.name);
-  const auto read_adaptation = [&chart, methods](const std::string& text) {
-    chart.adaptation = color::find_adaptation(text);
-    if (!chart.adaptation && !same_name(text, "none"))
-      usage_error("--adaptation", unknown_name("value", text, methods));
-  };
-  app.add_option_function<std::string>(
-         "--adaptation", read_adaptation,
-         fmt::format("Adaptation of the drawing to the lamp, so that it looks white: {} [none]",
-                     fmt::join(methods, ", ")))
-      ->type_name("NAME");
+  add_adaptation(app, chart.adaptation, "Adaptation of the drawing to the lamp, so that it looks white");
   const auto read_exposure = [&chart](const std::string& text) {
     if (same_name(text, "each")) {
       chart.exposure = ChartExposure::each;
@@ -203,7 +192,8 @@ void declare_light(CLI::App& app, ChartCommand& command) {
       chart.exposure = ChartExposure::stops;
       chart.exposure_ev = number_in("--exposure", text, {.low = -most_exposure_ev, .high = most_exposure_ev});
     } else {
-      usage_error("--exposure", fmt::format("expected each, one or a number of stops, got '{}'", printable(text, 60)));
+      constexpr std::string_view words[] = {"each", "one"};
+      usage_error("--exposure", fmt::format("expected each, one or a number of stops, got {}", meant(text, words)));
     }
   };
   app.add_option_function<std::string>("--exposure", read_exposure,

@@ -75,13 +75,13 @@ std::string color_cells(color::Xyz colour, double factor, const Display& display
   return cells + format_number(factor) + "," + color::to_hex(shown_color(colour, factor, display));
 }
 
-std::string color_comments(const ChartOptions& options) {
+std::string color_comments(const ChartOptions& options, std::string_view sums) {
   return fmt::format(
       "# {}\n"
-      "# X, Y, Z: the lamp itself has Y = 1; plain sums over 360..830 nm at 1 nm, no chromatic adaptation\n"
+      "# X, Y, Z: the lamp itself has Y = 1; {}; no chromatic adaptation\n"
       "# linear_r, linear_g, linear_b: linear sRGB, unclipped\n"
       "# hex: sRGB as drawn, after display_factor, {} and gamut mapping '{}'\n",
-      light_text(options), adaptation_text(options), color::name_of(options.gamut()));
+      light_text(options), sums, adaptation_text(options), color::name_of(options.gamut()));
 }
 
 std::string light_text(const ChartOptions& options) {

@@ -35,8 +35,14 @@ std::string factor_text(double factor);
 inline constexpr std::string_view color_columns = "X,Y,Z,linear_r,linear_g,linear_b,display_factor,hex";
 std::string color_cells(color::Xyz colour, double factor, const Display& display);
 
-// Lines of a table's head: what the columns of colours hold.
-std::string color_comments(const ChartOptions& options);
+// How X, Y and Z are summed up (17): of a film, and of anything else.
+inline constexpr std::string_view film_sums =
+    "sums over 360..830 nm at 1 nm, of means over each nanometre where a film passes more than a quarter of a fringe "
+    "in it";
+inline constexpr std::string_view plain_sums = "plain sums over 360..830 nm at 1 nm";
+
+// Lines of a table's head: what the columns of colours hold, and how they are summed up.
+std::string color_comments(const ChartOptions& options, std::string_view sums);
 
 // "lamp D65, CIE 1931 observer", for titles.
 std::string light_text(const ChartOptions& options);

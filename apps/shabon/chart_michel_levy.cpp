@@ -112,7 +112,7 @@ std::string table(const MichelLevy& levy, const ChartOptions& options) {
   std::string csv =
       "# Colours between crossed polarisers, plate at 45 degrees: sin^2(pi retardation / wavelength)\n"
       "# Y = 1 is the open field between parallel polarisers; no dispersion of the birefringence\n";
-  csv += color_comments(options) + "retardation_nm,order," + std::string(color_columns) + "\n";
+  csv += color_comments(options, plain_sums) + "retardation_nm,order," + std::string(color_columns) + "\n";
   const Display display = display_of(options);
   for (std::size_t i = 0; i < levy.retardations_nm.size(); ++i)
     csv += fmt::format("{},{},{}\n", format_number(levy.retardations_nm[i]),

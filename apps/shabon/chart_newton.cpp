@@ -146,7 +146,7 @@ std::string table(const Newton& newton, const ChartOptions& options) {
   csv += fmt::format("# thickness_nm: of layer {}; angle_deg: of incidence; unpolarised light; interference '{}'\n",
                      newton.film.layer + 1, optics::name_of(options.interference()));
   for (const std::string& note : newton.notes) csv += "# " + note + "\n";
-  csv += color_comments(options) + "side,angle_deg,thickness_nm," + std::string(color_columns) + "\n";
+  csv += color_comments(options, film_sums) + "side,angle_deg,thickness_nm," + std::string(color_columns) + "\n";
   const Display display = display_of(options);
   for (const Side& side : newton.sides)
     for (std::size_t a = 0; a < newton.incidence_deg.size(); ++a)

@@ -27,6 +27,17 @@ Part split_unit(std::string_view text, std::span<const RangeUnit> units) {
   return {text, nullptr};
 }
 
+// "nm, um, mm or cm"
+std::string names_of(std::span<const RangeUnit> units) {
+  std::vector<std::string_view> names;
+  for (const RangeUnit& unit : units)
+    if (std::all_of(unit.name.begin(), unit.name.end(), [](char c) { return c > 0; })) names.push_back(unit.name);
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : i + 1 < names.size() ? ", " : " or ", names[i]);
+  return text;
+}
+
 }  // namespace
 
 double ChartRange::step_or(int parts) const {
@@ -64,6 +75,9 @@ ChartRange range_in(const std::string& option, std::string_view text, std::span<
   const auto value = [&](std::size_t i, Range range) {
     const RangeUnit& unit = parts[i].unit != nullptr ? *parts[i].unit : *usual;
     // Twelve digits: 0.3 um are 300 nm.
+    if (!parse_number(parts[i].number))
+      usage_error(option,
+                  fmt::format("expected a number in {}, got '{}'", names_of(units), printable(trim(texts[i]), 60)));
     const double shown = number_in(option, parts[i].number, {}, unit.name);
     const double number = parse_number(format_number(shown * unit.factor, 15)).value_or(shown * unit.factor);
     if (!range.contains(number)) number_in(option, format_number(number), range, units[0].name);

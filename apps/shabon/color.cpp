@@ -21,7 +21,7 @@ struct ColorCommand {
   std::vector<double> incidence_deg{0};
   std::string lamp = "D65";
   std::size_t observer = 0, mapping = 0, format = 0;
-  std::optional<std::size_t> adaptation;
+  std::optional<color::Adaptation> adaptation;
   std::vector<std::string> spaces;
   bool reflected = false, transmitted = false;
 };
@@ -63,7 +63,7 @@ int run_color(const ColorCommand& command) {
                      spaces_of(command),
                      {}};
   result.options.mapping = color::gamut_mappings()[command.mapping].mapping;
-  if (command.adaptation) result.options.adaptation = color::adaptations()[*command.adaptation].method;
+  result.options.adaptation = command.adaptation;
 
   report(desk::range_warnings(*stack, std::vector<double>{color::first_nm, color::last_nm}));
   report(power_notes(*stack, command.transmitted));
@@ -103,21 +103,6 @@ void add_spaces(CLI::App& app, std::vector<std::string>& target) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_adaptation(CLI::App& app, std::optional<std::size_t>& target) {
-  std::vector<std::string_view> names;
-  for (const color::AdaptationEntry& entry : color::adaptations()) names.push_back(entry.name);
-  std::string known;
-  for (const std::string_view name : names) known += (known.empty() ? "" : "/") + std::string(name);
-  const auto read = [&target, names](const std::string& text) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (same_name(names[i], text)) target = i;
-    if (!target) usage_error("--adapt", unknown_name("method", text, names));
-  };
-  app.add_option_function<std::string>("--adapt", read,
-                                       "Chromatic adaptation of RGB and Oklab from the lamp's white: " + known)
-      ->type_name("METHOD");
-}
-
 }  // namespace
 
 Action declare_color(CLI::App& app) {
@@ -130,7 +115,7 @@ Action declare_color(CLI::App& app) {
   app.add_flag("--reflected", command->reflected, "The reflected light; the default");
   app.add_flag("--transmitted", command->transmitted, "The transmitted light; with --reflected both");
   add_spaces(app, command->spaces);
-  add_adaptation(app, command->adaptation);
+  add_adaptation(app, command->adaptation, "Chromatic adaptation of RGB and Oklab from the lamp's white");
   for (std::size_t i = 0; i < color::gamut_mappings().size(); ++i)
     if (color::gamut_mappings()[i].mapping == desk::ColorOptions{}.mapping) command->mapping = i;
   add_choice(app, "--gamut", command->mapping, color::gamut_mappings(), "How 'mapped' is brought into sRGB");
@@ -142,7 +127,7 @@ xy and Lab are never adapted.
 
 Examples:
   shabon color 'air | water 300nm | air'
-  shabon color 'air | water 300nm | air' --angle 0,30,60 --illuminant blackbody:2700K --adapt bradford
+  shabon color 'air | water 300nm | air' --angle 0,30,60 --illuminant blackbody:2700K --adaptation bradford
   shabon color 'air | TiO2 60nm | Ti' --space 'Display P3,Oklab' --format json
   shabon color '1 | 1.38 99.6nm | 1.52' --reflected --transmitted --format svg > card.svg)");
   return [command] { return run_color(*command); };

@@ -124,6 +124,9 @@ int run_compare(const CompareCommand& command) {
 void add_exposure(CLI::App& app, CompareCommand& command) {
   const auto read = [&command](const std::string& text) {
     command.exposure_fits = same_name(text, "fit");
+    constexpr std::string_view words[] = {"fit"};
+    if (!command.exposure_fits && !parse_number(trim(text)))
+      usage_error("--exposure", fmt::format("expected fit or a number of stops, got {}", meant(text, words)));
     if (!command.exposure_fits)
       command.exposure_ev = number_in("--exposure", text, {.low = -most_exposure_ev, .high = most_exposure_ev});
   };
@@ -163,7 +166,8 @@ Action declare_compare(CLI::App& app) {
     list += fmt::format("  {:<18} {}\n", shortcut.name, shortcut.description);
   app.footer(std::string(stack_help) + "\nShortcuts:\n" + list + R"(
 Each is compared with the exact colour, thickness by thickness: all reflections, both polarisations, dispersion, 360 to
-830 nm at 1 nm. Differences are CIEDE2000; the white of Lab is the lamp. Only STACK's layer --layer changes.
+830 nm at 1 nm, or means over each nanometre where fringes are finer. Differences are CIEDE2000; the white of Lab is the
+lamp. Only STACK's layer --layer changes.
 
 Examples:
   shabon compare 'air | water 0nm | air'

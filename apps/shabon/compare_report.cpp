@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "chart_colors.h"
 #include "json.h"
 #include "shabon/base/text.h"
 
@@ -77,7 +78,7 @@ std::string compare_csv(const CompareReport& report) {
   std::string csv = "# How far shortcuts are from the exact colour of the film " + printable(report.film.expression) +
                     "\n# " + compare_conditions(report) + "\n";
   csv += fmt::format("# thickness_nm: of layer {}\n", report.film.layer + 1);
-  csv += "# X, Y, Z: the exact colour; the lamp itself has Y = 1; plain sums over 360..830 nm at 1 nm, not adapted\n";
+  csv += fmt::format("# X, Y, Z: the exact colour; the lamp itself has Y = 1; {}; not adapted\n", film_sums);
   std::string head = "thickness_nm,X,Y,Z";
   std::vector<const desk::ShortcutSeries*> columns;
   for (const desk::ShortcutSeries& series : report.comparison.shortcuts) {

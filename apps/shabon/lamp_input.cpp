@@ -1,5 +1,8 @@
 #include "lamp_input.h"
 
+#include <fmt/format.h>
+
+#include "options.h"
 #include "shabon/api/resolvers.h"
 #include "streams.h"
 
@@ -31,6 +34,19 @@ Result<color::Illuminant> read_lamp(const std::string& text) {
     report({warning});
   }
   return lamp;
+}
+
+CLI::Option* add_adaptation(CLI::App& app, std::optional<color::Adaptation>& target, const std::string& description) {
+  std::vector<std::string_view> names = {"none"};
+  for (const color::AdaptationEntry& entry : color::adaptations()) names.push_back(entry.name);
+  const auto read = [&target, names](const std::string& text) {
+    target = color::find_adaptation(text);
+    if (!target && !same_name(text, "none")) usage_error("--adaptation", unknown_name("value", text, names));
+  };
+  return app
+      .add_option_function<std::string>("--adaptation,--adapt", read,
+                                        fmt::format("{}: {} [none]", description, fmt::join(names, ", ")))
+      ->type_name("NAME");
 }
 
 }  // namespace shabon::app

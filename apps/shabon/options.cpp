@@ -31,6 +31,11 @@ std::string shown_name(const std::string& names) {
 
 }  // namespace
 
+std::string meant(std::string_view text, std::span<const std::string_view> words) {
+  const std::optional<std::string> near = nearest_name(text, words);
+  return fmt::format("'{}'{}", printable(text, 60), near ? "; did you mean '" + *near + "'?" : "");
+}
+
 double number_in(const std::string& option, std::string_view text, Range range, std::string_view unit) {
   const std::optional<double> number = parse_number(trim(text));
   if (!number || !range.contains(*number))

@@ -19,6 +19,9 @@ namespace shabon::app {
   throw CLI::ValidationError(option, message);
 }
 
+// "'fot'; did you mean 'fit'?", or the text alone: for messages where other things than these words stand too.
+std::string meant(std::string_view text, std::span<const std::string_view> words);
+
 // The finite number that `text` is, or a usage error.
 double number_in(const std::string& option, std::string_view text, Range range, std::string_view unit = {});
 // The largest long long as `most` is no limit of its own and told as "below 2^63".

@@ -1,12 +1,9 @@
 #include "shabon/desk/film_cells.h"
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 
 #include "shabon/desk/fringes.h"
 #include "shabon/desk/kernel/sweep_rows.h"
-#include "shabon/optics/reference/fresnel.h"
 #include "shabon/optics/reference/stack_model.h"
 
 namespace shabon::desk {
@@ -33,21 +30,6 @@ double cell_share(const optics::Stack& stack, optics::Interference interference,
   return unpolarised(optics::model_powers(resolved, interference, incidence, wavelength_nm), side);
 }
 
-namespace {
-
-// Fringes of the swept layer from one end of a nanometre to the other, for each nm of its thickness. With dispersion,
-// so that the stretches of neighbouring nanometres join.
-double fringes_across_per_nm(const Sweep& sweep, double middle_nm) {
-  const auto round_trips_per_nm = [&](double wavelength_nm) {
-    const std::complex<double> n1 = sweep.stack.incidence.index(wavelength_nm);
-    const std::complex<double> n = sweep.stack.layers[sweep.layer].medium.index(wavelength_nm);
-    return 2 * std::abs(optics::normal_index(n1, sweep.incidence, n).real()) / wavelength_nm;
-  };
-  return std::abs(round_trips_per_nm(middle_nm - 0.5) - round_trips_per_nm(middle_nm + 0.5));
-}
-
-}  // namespace
-
 SweptCells::SweptCells(const Sweep& sweep) : sweep_(sweep) {
   const bool others_matter = may_have_fine_fringes(sweep.stack, sweep.layer);
   optics::ResolvedStack resolved;
@@ -65,7 +47,8 @@ SweptCells::SweptCells(const Sweep& sweep) : sweep_(sweep) {
   table_ = sweep_table(sweep.stack, sweep.layer, sweep.incidence, wavelengths_nm_);
   fringes_per_nm_.assign(table_.padded, 0);
   for (std::size_t i = 0; i < color::spectrum_size; ++i) {
-    const double across_per_nm = fringes_across_per_nm(sweep, color::wavelength_nm(i));
+    const double across_per_nm =
+        fringes_across_per_nm(sweep.stack, sweep.layer, sweep.incidence, color::wavelength_nm(i));
     for (std::size_t row = first_[i]; row < first_[i + 1]; ++row)
       fringes_per_nm_[row] = across_per_nm / static_cast<double>(first_[i + 1] - first_[i]);
     most_fringes_per_nm_of_layer_ = std::max(most_fringes_per_nm_of_layer_, across_per_nm);

@@ -1,6 +1,5 @@
-// The share of light over whole nanometres: what (17) sums where a film's fringes are finer than its
-// steps. Inside
-// the room only.
+// The share of light over whole nanometres: what (17) sums where a film's fringes are finer than its steps. Inside the
+// room only.
 #pragma once
 
 #include <cstddef>

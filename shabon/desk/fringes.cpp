@@ -41,6 +41,16 @@ Fringes fringes(const optics::ResolvedStack& stack, optics::Incidence incidence,
   return found;
 }
 
+double fringes_across_per_nm(const optics::Stack& stack, std::size_t layer, optics::Incidence incidence,
+                             double middle_nm) {
+  const auto round_trips_per_nm = [&](double wavelength_nm) {
+    const std::complex<double> n1 = stack.incidence.index(wavelength_nm);
+    const std::complex<double> n = stack.layers[layer].medium.index(wavelength_nm);
+    return 2 * std::abs(optics::normal_index(n1, incidence, n).real()) / wavelength_nm;
+  };
+  return std::abs(round_trips_per_nm(middle_nm - 0.5) - round_trips_per_nm(middle_nm + 0.5));
+}
+
 bool may_have_fine_fringes(const optics::Stack& stack, std::optional<std::size_t> without) {
   double thickness_nm = 0;
   for (std::size_t j = 0; j < stack.layers.size(); ++j)

@@ -27,6 +27,11 @@ struct Fringes {
 Fringes fringes(const optics::ResolvedStack& stack, optics::Incidence incidence, double wavelength_nm,
                 std::optional<std::size_t> without = {});
 
+// Fringes of one layer from one end of a nanometre to the other, for each nm of its thickness. With dispersion, so that
+// the stretches of neighbouring nanometres join.
+double fringes_across_per_nm(const optics::Stack& stack, std::size_t layer, optics::Incidence incidence,
+                             double middle_nm);
+
 // Whether a stack can have too many: false for all films thin enough to save the question.
 bool may_have_fine_fringes(const optics::Stack& stack, std::optional<std::size_t> without = {});
 

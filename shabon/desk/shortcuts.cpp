@@ -9,6 +9,7 @@
 #include "shabon/color/rgb.h"
 #include "shabon/color/spectrum.h"
 #include "shabon/desk/film_spectrum.h"
+#include "shabon/desk/fringes.h"
 #include "shabon/desk/shortcuts_gltf.h"
 #include "shabon/desk/shortcuts_walls.h"
 
@@ -101,16 +102,19 @@ Colors gltf(const Sweep& film, const color::Illuminant& lamp, const color::Obser
 Colors films_of_walls(WallAmplitude amplitude, const Sweep& film, const color::Illuminant& lamp,
                       const color::Observer& observer) {
   std::vector<FilmOfWalls> films;
+  std::vector<double> fringes_per_nm;
   for (std::size_t i = 0; i < color::spectrum_size; ++i) {
     const double nm = color::wavelength_nm(i);
     films.emplace_back(amplitude, film.stack.incidence.index(nm), film.stack.layers[0].medium.index(nm),
                        film.stack.exit.index(nm), film.incidence, nm);
+    fringes_per_nm.push_back(fringes_across_per_nm(film.stack, 0, film.incidence, nm));
   }
   Colors colors(film.thicknesses_nm.size());
   parallel_for(colors.size(), 0, [&](std::size_t t) {
     color::Spectrum share{};
     for (std::size_t i = 0; i < color::spectrum_size; ++i) {
-      const WallShares shares = films[i].at(film.thicknesses_nm[t]);
+      const double thickness_nm = film.thicknesses_nm[t];
+      const WallShares shares = films[i].mean(thickness_nm, fringes_per_nm[i] * thickness_nm);
       share[i] = film.side == Side::reflected ? shares.reflected : shares.transmitted;
     }
     colors[t] = color::reflectance_to_xyz(share, lamp, observer);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "shabon/desk/fringes.h"
+#include "shabon/desk/kernel/sweep_rows.h"
 #include "shabon/optics/reference/fresnel.h"
 #include "shabon/optics/reference/phase.h"
 
@@ -42,10 +45,26 @@ FilmOfWalls::FilmOfWalls(WallAmplitude amplitude, Complex n1, Complex n2, Comple
       wavelength_nm_(wavelength_nm) {}
 
 WallShares FilmOfWalls::at(double thickness_nm) const {
+  const Complex once = optics::passage(normal_index_, thickness_nm, wavelength_nm_).factor();
+  return shares(once, once * once);
+}
+
+WallShares FilmOfWalls::mean(double thickness_nm, double fringes) const {
+  if (fringes <= most_fringes_per_nm) return at(thickness_nm);
+  const double counted = fringes > many_fringes ? 1 : fringes;
+  const Complex once = optics::passage(normal_index_, thickness_nm, wavelength_nm_).factor();
+  WallShares sum;
+  for (int i = 0; i < looks_at_fringes; ++i) {
+    const double turns = counted * ((i + 0.5) / looks_at_fringes - 0.5);
+    const WallShares look = shares(once, once * once * std::polar(1.0, 2 * std::numbers::pi * turns));
+    sum.reflected += look.reflected / looks_at_fringes, sum.transmitted += look.transmitted / looks_at_fringes;
+  }
+  return sum;
+}
+
+WallShares FilmOfWalls::shares(Complex once, Complex twice) const {
   const double wall12 = std::norm(r12_), wall23 = std::norm(r23_);
   if (wall12 >= 1) return {1, 0};  // also where the sum is 0/0
-  const Complex once = optics::passage(normal_index_, thickness_nm, wavelength_nm_).factor();
-  const Complex twice = once * once;
   const Complex sum = 1.0 + r12_ * r23_ * twice;
   return {std::norm((r12_ + r23_ * twice) / sum),
           std::max(0.0, (1 - wall12) * (1 - wall23)) * std::norm(once) / std::norm(sum)};

@@ -35,7 +35,13 @@ class FilmOfWalls {
 
   WallShares at(double thickness_nm) const;
 
+  // The mean over a nanometre within which the wavelength passes so many fringes (17), by the same rule as the exact
+  // colour: one wavelength stands for it while they are few.
+  WallShares mean(double thickness_nm, double fringes) const;
+
  private:
+  WallShares shares(std::complex<double> once, std::complex<double> twice) const;
+
   std::complex<double> r12_, r23_, normal_index_;
   double wavelength_nm_;
 };

@@ -357,6 +357,7 @@ const std::vector<Refused> refused = {
     {{"angle", "--thickness", "0:2000nm:0.1nm", "--angle", "0:90:0.1"}, 2, "at most 1000000 colours"},
     {{"newton", "--exposure", "bright"}, 2, "--exposure: expected each, one or a number of stops"},
     {{"newton", "--adaptation", "bradfrod"}, 2, "did you mean 'bradford'?"},
+    {{"newton", "--exposure", "eahc"}, 2, "did you mean 'each'?"},
     {{"newton", "--gamut", "x"}, 2, "--gamut"},
     {{"newton", "--illuminant", "D56"}, 3, "--illuminant: unknown illuminant 'D56'"},
     {{"newton", "air | watr 0nm | air"}, 3, "did you mean 'water'?"},

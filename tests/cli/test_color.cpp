@@ -141,7 +141,7 @@ TEST(Color, SeveralAnglesAndSidesAreAList) {
 // The whole lamp is the white of an RGB space once it is adapted to it, and is not before.
 TEST(Color, AdaptsOnRequest) {
   for (const color::AdaptationEntry& method : color::adaptations()) {
-    const io::YamlDocument adapted = json_of({"color", "1 | 1", "--transmitted", "--illuminant", "A", "--adapt",
+    const io::YamlDocument adapted = json_of({"color", "1 | 1", "--transmitted", "--illuminant", "A", "--adaptation",
                                               std::string(method.name), "--space", "ACEScg", "--format", "json"});
     const io::YamlNode* acescg = io::find(*io::find(adapted.root, "spaces"), "ACEScg");
     for (std::size_t c = 0; c < 3; ++c) {

@@ -66,6 +66,17 @@ TEST(Compare, FormsHoldTheSameNumbers) {
   }
 }
 
+// Its table says that thick films are means, and so they are: along the normal Schlick's walls are exact.
+TEST(Compare, ThickFilmsAreNotAliased) {
+  const io::CsvTable table =
+      table_of({"compare", film, "--thickness", "99um:101um:0.05um", "--exposure", "fit", "--format", "csv"});
+  for (const char* name : {"schlick", "unpolarised-walls"})
+    for (const double difference : column(table, name)) EXPECT_LT(difference, 0.001) << name;
+  EXPECT_TRUE(std::any_of(table.comments.begin(), table.comments.end(), [](const std::string& comment) {
+    return comment.find("means over each nanometre") != std::string::npos;
+  }));
+}
+
 // The colours are those of `color`.
 TEST(Compare, ExactColoursAreThoseOfColor) {
   const io::CsvTable csv = table_of({"compare", film, "--thickness", few, "--format", "csv", "--transmitted"});
@@ -123,6 +134,10 @@ TEST(Compare, ExplainsWhatIsWrong) {
   EXPECT_NE(error_of({"compare", film, "--format", "csvv"}, 2).find("did you mean 'csv'"), std::string::npos);
   EXPECT_NE(error_of({"compare", film, "--layer", "2"}, 2).find("--layer"), std::string::npos);
   EXPECT_NE(error_of({"compare", "air | MgF2 1nm | ZnS 1nm | air"}, 2).find("--layer"), std::string::npos);
+  EXPECT_NE(error_of({"compare", film, "--exposure", "fot"}, 2).find("did you mean 'fit'?"), std::string::npos);
+  EXPECT_NE(error_of({"compare", film, "--thickness", "0:10m"}, 2)
+                .find("--thickness: expected a number in nm, um, mm or cm, got '10m'"),
+            std::string::npos);
   EXPECT_NE(error_of({"compare", film, "-o", "a.pdf"}, 2).find(".png, .svg or .csv"), std::string::npos);
   EXPECT_NE(error_of({"compare", film, "-o", "a.svg", "--format", "csv"}, 2).find("--format"), std::string::npos);
   EXPECT_NE(error_of({"compare", "air | watr 0nm | air"}, 3).find("water"), std::string::npos);

@@ -87,11 +87,11 @@ class Wavelengths {
 
   // The mean over `fringes` fringes around the thickness, half of them to either side.
   P mean_share(double thickness_nm, P fringes) const {
-    constexpr int looks = 32;
     const P middle = half_turns_per_nm_ * thickness_nm;
     P sum(0.0);
-    for (int i = 0; i < looks; ++i) sum += share_at(middle + fringes * ((i + 0.5) / looks - 0.5), thickness_nm);
-    return sum * (1.0 / looks);
+    for (int i = 0; i < looks_at_fringes; ++i)
+      sum += share_at(middle + fringes * ((i + 0.5) / looks_at_fringes - 0.5), thickness_nm);
+    return sum * (1.0 / looks_at_fringes);
   }
 
  private:
@@ -140,8 +140,6 @@ void sweep_row(const SweepTable& table, Side side, double thickness_nm, std::spa
 
 void sweep_row_means(const SweepTable& table, Side side, std::span<const double> fringes_per_nm, double most_fringes,
                      double thickness_nm, std::span<double> row) {
-  // Beyond so many fringes whole ones are what counts, and one whole fringe has the mean of all.
-  constexpr double many = 2;
   in_form(table, side, [&]<class Form>() {
     for (std::size_t first = 0; first < table.padded; first += lanes) {
       const Form at_these(table, first);
@@ -150,7 +148,7 @@ void sweep_row_means(const SweepTable& table, Side side, std::span<const double>
         at_these.share(thickness_nm).store(&row[first]);
         continue;
       }
-      const P counted = select(fringes > P(many), P(1.0), fringes);
+      const P counted = select(fringes > P(many_fringes), P(1.0), fringes);
       at_these.mean_share(thickness_nm, select(fringes > P(most_fringes), counted, P(0.0))).store(&row[first]);
     }
   });

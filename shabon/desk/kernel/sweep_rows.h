@@ -12,6 +12,11 @@ namespace shabon::desk {
 // The unpolarised share at one thickness into `row`, table.padded long.
 void sweep_row(const SweepTable& table, Side side, double thickness_nm, std::span<double> row);
 
+// Beyond so many fringes within a stretch whole ones are what counts, and one whole fringe has the mean of all.
+inline constexpr double many_fringes = 2;
+// Where a mean looks, evenly spaced.
+inline constexpr int looks_at_fringes = 32;
+
 // The same as means over stretches of wavelength, each around its own: while the light's wavelength runs through one,
 // it passes fringes_per_nm[i] thickness_nm fringes of the swept layer, all else being held (17). Up to `most_fringes`
 // of them one wavelength stands for the stretch.
