@@ -107,8 +107,8 @@ void declare_colors(CLI::App& app, ThicknessCommand& command, std::vector<const 
                    "Standard deviation of the colour, in CIEDE2000 [1]"));
   limit(app.add_flag("--ignore-lightness", command.ignore_lightness,
                      "The exposure is unknown, as in photographs: go by chromaticity alone"));
-  limit(add_optional_choice(app, "--adapt", command.adaptation, color::adaptations(),
-                            "The colour's white is that of its space, by this chromatic adaptation from the lamp"));
+  limit(add_adaptation(app, command.adaptation,
+                       "The colour's white is that of its space, by this chromatic adaptation from the lamp"));
   limit(add_optional_choice(app, "--gamut", command.mapping, color::gamut_mappings(),
                             "How a picture shows colours beyond sRGB [clip for #rrggbb]"));
 }
@@ -145,10 +145,10 @@ Every thickness that fits is listed with a weight: its share of the probability,
 equally likely and the colour (or the spectrum) uncertain as stated. Exit code 0 also when nothing fits, which is said.
 
 Examples:
-  shabon thickness 'air | SiO2 ? | Si' --color '#7a4e9b'
+  shabon thickness 'air | SiO2 ? | Si' --color '#7858a4'
   shabon thickness 'air | water ? | air' --color '#d9a7c7' --ignore-lightness
-  shabon thickness 'air | TiO2 0..200nm | Ti' --color Lab:45,10,-40 --angle 20 --illuminant A
-  shabon thickness 'air | water ? | air' --color '#16100e' --color '#0f1518' --angle 0,60
+  shabon thickness 'air | TiO2 0..200nm | Ti' --color Lab:33,2,-48 --angle 20 --illuminant A
+  shabon thickness 'air | water ? | air' --color '#504d3e' --color '#74797a' --angle 0,60
   shabon thickness 'air | SiO2 ? | Si' --spectrum wafer.csv --range 0:20um
   shabon thickness 'air | Si3N4 50..150nm | SiO2 ? | Si' --spectrum wafer.csv --format json)";
 

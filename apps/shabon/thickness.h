@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shabon/base/result.h"
+#include "shabon/color/adaptation.h"
 #include "shabon/desk/thickness_color.h"
 #include "shabon/desk/thickness_spectrum.h"
 
@@ -26,7 +27,8 @@ struct ThicknessCommand {
   bool transmitted = false, ignore_lightness = false;
   std::string lamp = "D65";
   std::size_t observer = 0;
-  std::optional<std::size_t> adaptation, mapping;
+  std::optional<color::Adaptation> adaptation;
+  std::optional<std::size_t> mapping;
   std::optional<double> uncertainty;
 
   // Of spectra.

@@ -7,6 +7,7 @@
 #include "lamp_input.h"
 #include "shabon/color/adaptation.h"
 #include "shabon/desk/film_spectrum.h"
+#include "stack_input.h"
 #include "streams.h"
 
 namespace shabon::app {
@@ -25,9 +26,9 @@ Status describe(desk::SeenColor& seen, const ToldColor& told, const ThicknessCom
   if (command.adaptation) {
     const std::optional<color::Xyz> white = color::white_of(told.space);
     if (!white)
-      return fail(Failure::usage, fmt::format("--adapt: expected a colour space with a white of its own, got {}",
+      return fail(Failure::usage, fmt::format("--adaptation: expected a colour space with a white of its own, got {}",
                                               color::name_of(told.space)));
-    seen.adaptation = color::adaptation_matrix(lamp_white, *white, color::adaptations()[*command.adaptation].method);
+    seen.adaptation = color::adaptation_matrix(lamp_white, *white, *command.adaptation);
     seen.white = white;
   }
   if (command.mapping)
@@ -125,6 +126,7 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
   if (const Status read = read_colors(findings); !read) return read.errors();
   Diagnostics notes =
       desk::range_warnings(findings.film.film.stack, std::vector<double>{color::first_nm, color::last_nm});
+  for (Diagnostic& note : power_notes(findings.film.film.stack, command.transmitted)) notes.push_back(std::move(note));
   findings.query.uncertainty = command.uncertainty.value_or(findings.query.uncertainty);
   note_rounding(findings, notes);
 
@@ -147,7 +149,7 @@ Result<std::string> thickness_by_color(const ThicknessCommand& command, Thicknes
 
 std::string level_sentence(const desk::ColorCandidate& candidate) {
   return fmt::format("{:.1f} to {:.1f} nm are alike{}", candidate.level->low_nm, candidate.level->high_nm,
-                     candidate.opaque ? ", as the layer is opaque" : "");
+                     candidate.opaque ? ", most of them opaque" : "");
 }
 
 bool is_determined(const ColorFindings& findings) {

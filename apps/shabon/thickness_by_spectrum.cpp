@@ -37,7 +37,9 @@ void note_search(const SpectrumFindings& findings, Diagnostics& notes) {
         answer.search_step_fringes, format_number(most_search_fringes))));
   if (answer.fringes_between_rows > most_fringes_between_rows) {
     double high_nm = 0;
-    for (const desk::Unknown& unknown : findings.film.film.unknowns) high_nm = std::max(high_nm, unknown.high_nm);
+    const desk::UnknownFilm& film = findings.film.film;
+    for (std::size_t j = 0; j < film.unknowns.size(); ++j)
+      if (desk::has_fringes(film, j)) high_nm = std::max(high_nm, film.unknowns[j].high_nm);
     notes.push_back(thickness_note(
         fmt::format("the wavelengths are too far apart to follow the fringes of films above {} nm; thicker ones may be "
                     "mistaken for thinner ones",

@@ -19,7 +19,12 @@ const char* side_name(const desk::SeenColor& seen) {
   return seen.side == desk::Side::reflected ? "reflected" : "transmitted";
 }
 
-int order_of(const desk::ColorCandidate& candidate) { return static_cast<int>(std::floor(candidate.order)) + 1; }
+// Counted from 1; nothing where the layer has no orders.
+std::string order_text(const desk::ColorCandidate& candidate) {
+  return candidate.order ? std::to_string(static_cast<int>(std::floor(*candidate.order)) + 1) : "";
+}
+
+bool has_orders(const ColorFindings& findings) { return findings.answer.candidates.front().order.has_value(); }
 
 std::string heading(const ColorFindings& findings) {
   const desk::Unknown& unknown = findings.film.film.unknowns.front();
@@ -46,7 +51,8 @@ std::string row(const ColorFindings& findings, const desk::ColorCandidate& c) {
   std::string text = fmt::format("{:>10.2f}", c.thickness_nm);
   if (findings.answer.found)
     text += fmt::format("  {:>9.2f} .. {:<9.2f} {:>8}", c.interval_low_nm, c.interval_high_nm, percent_text(c.weight));
-  text += fmt::format("  {:>7.2f}  {:>5}", c.difference, order_of(c));
+  text += fmt::format("  {:>7.2f}", c.difference);
+  if (has_orders(findings)) text += fmt::format("  {:>5}", order_text(c));
   if (one) text += fmt::format("  {:>7.4f} {:>7.4f} {:>7.4f}", c.xyz[0].x, c.xyz[0].y, c.xyz[0].z);
   if (one && findings.command.ignore_lightness) text += fmt::format("  {:>8}", format_number(c.exposure[0], 3));
   for (std::size_t i = 0; i < findings.told.size(); ++i) {
@@ -61,7 +67,8 @@ std::string table(const ColorFindings& findings) {
   const bool one = findings.told.size() == 1;
   std::string text = fmt::format("{:>10}", "nm");
   if (findings.answer.found) text += fmt::format("  {:^22} {:>8}", "95 % of its weight", "weight");
-  text += fmt::format("  {:>7}  {:>5}", "dE2000", "order");
+  text += fmt::format("  {:>7}", "dE2000");
+  if (has_orders(findings)) text += fmt::format("  {:>5}", "order");
   if (one) text += fmt::format("  {:>7} {:>7} {:>7}", "X", "Y", "Z");
   if (one && findings.command.ignore_lightness) text += fmt::format("  {:>8}", "exposure");
   text += one ? "  colour\n" : "  colours\n";
@@ -78,14 +85,20 @@ double least_difference_beside(const ColorFindings& findings) {
   return least;
 }
 
+// With as many digits as it takes to see that it is more.
+std::string told_difference(double difference, double near) {
+  int digits = 2;
+  while (digits < 6 && parse_number(fmt::format("{:.{}f}", difference, digits)).value_or(0) <= near) ++digits;
+  return fmt::format("{:.{}f}", difference, digits);
+}
+
 std::string verdict(const ColorFindings& findings) {
   const desk::ColorAnswer& answer = findings.answer;
   if (!answer.found)
-    return fmt::format(
-        "No thickness in the range gives this colour: the nearest differs by {:.2f}, and {:.2f} is too "
-        "much ({}).\n",
-        answer.candidates.front().difference, answer.near,
-        answer.near > desk::noticeable_difference ? "three times the uncertainty" : "noticeable");
+    return fmt::format("No thickness in the range gives this colour: the nearest differs by {}, more than {} ({}).\n",
+                       told_difference(answer.candidates.front().difference, answer.near),
+                       format_number(answer.near, 3),
+                       answer.near > desk::noticeable_difference ? "three times the uncertainty" : "just noticeable");
   if (!is_determined(findings))
     return "Undetermined: over wide stretches of thickness the colour is nearly the same.\n";
   return verdict_sentence(answer.in_95_percent) + "\n";
@@ -107,7 +120,9 @@ std::string unlisted(const ColorFindings& findings) {
 std::string candidate_json(const ColorFindings& findings, const desk::ColorCandidate& candidate) {
   JsonObject json;
   json.add("thickness_nm", candidate.thickness_nm).add("dE2000", candidate.difference);
-  json.add("order", order_of(candidate)).add("path_orders", candidate.order).add("at_end", candidate.at_end);
+  json.add_json("order", candidate.order ? order_text(candidate) : "null");
+  json.add_json("path_orders", candidate.order ? json_number(*candidate.order) : "null");
+  json.add("at_end", candidate.at_end);
   if (findings.answer.found)
     json.add("weight", candidate.weight).add("interval_nm", {candidate.interval_low_nm, candidate.interval_high_nm});
   if (candidate.level)
@@ -168,7 +183,7 @@ std::string color_findings_csv(const ColorFindings& findings) {
     text += format_exact(candidate.thickness_nm);
     for (const double value : {candidate.interval_low_nm, candidate.interval_high_nm, candidate.weight})
       text += "," + (findings.answer.found ? format_exact(value) : "");
-    text += "," + format_exact(candidate.difference) + "," + std::to_string(order_of(candidate));
+    text += "," + format_exact(candidate.difference) + "," + order_text(candidate);
     for (std::size_t i = 0; i < findings.told.size(); ++i) {
       const color::Xyz& xyz = candidate.xyz[i];
       for (const double value : {xyz.x, xyz.y, xyz.z}) text += "," + format_exact(value);

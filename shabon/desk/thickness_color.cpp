@@ -7,6 +7,7 @@
 
 #include "shabon/base/parallel.h"
 #include "shabon/base/text.h"
+#include "shabon/desk/fringes.h"
 #include "shabon/desk/retardation.h"
 #include "shabon/desk/sweep.h"
 #include "shabon/desk/thickness_check.h"
@@ -30,31 +31,84 @@ std::vector<ModelRow> visible_rows(optics::Incidence incidence) {
   return rows;
 }
 
-// The colours of several layers of one thickness, which no sweep knows.
-std::vector<color::Xyz> tied_colors(const ColorQuery& query, const SeenColor& seen,
-                                    const std::vector<double>& thicknesses_nm) {
-  const std::vector<ModelRow> rows = visible_rows(seen.incidence);
-  const Quantity quantity[] = {seen.side == Side::reflected ? Quantity::R : Quantity::T};
-  const FilmModel model(query.film, rows, quantity);
-  std::vector<color::Xyz> colors(thicknesses_nm.size());
-  const std::size_t slices = std::min<std::size_t>(colors.size(), 16);
-  parallel_for(slices, 0, [&](std::size_t slice) {
-    FilmModel film = model;
-    color::Spectrum share{};
-    for (std::size_t i = colors.size() * slice / slices; i < colors.size() * (slice + 1) / slices; ++i) {
-      film.set_thickness(0, thicknesses_nm[i]);
-      film.shares(share);
-      colors[i] = color::reflectance_to_xyz(share, query.lamp, *query.observer);
+// The colours of several layers of one thickness, which no sweep knows: by 1 nm, or with means over nanometres that
+// hold many fringes (17), looked at closely enough for the thickest films of the range.
+class TiedColors {
+ public:
+  TiedColors(const ColorQuery& query, const SeenColor& seen)
+      : query_(query), seen_(seen), plain_(model_of(visible_rows(seen.incidence))), fine_(plain_) {
+    optics::Stack thickest = at(query.film.unknowns.front().high_nm);
+    std::vector<ModelRow> rows;
+    for (const ModelRow& row : visible_rows(seen.incidence)) {
+      first_.push_back(rows.size());
+      const Fringes found = fringes(optics::resolve(thickest, row.wavelength_nm), seen.incidence, row.wavelength_nm);
+      for (const double offset_nm : looks_within_nm(found))
+        rows.push_back({row.wavelength_nm + offset_nm, seen.incidence});
     }
-  });
-  return colors;
-}
+    first_.push_back(rows.size());
+    if (rows.size() > color::spectrum_size) fine_ = model_of(rows);
+  }
+
+  std::vector<color::Xyz> colors(const std::vector<double>& thicknesses_nm) const {
+    std::vector<color::Xyz> colors(thicknesses_nm.size());
+    const std::size_t slices = std::min<std::size_t>(colors.size(), 16);
+    parallel_for(slices, 0, [&](std::size_t slice) {
+      FilmModel plain = plain_, fine = fine_;
+      for (std::size_t i = colors.size() * slice / slices; i < colors.size() * (slice + 1) / slices; ++i) {
+        FilmModel& film = is_resolved(thicknesses_nm[i]) ? plain : fine;
+        film.set_thickness(0, thicknesses_nm[i]);
+        colors[i] = color::reflectance_to_xyz(means(film), query_.lamp, *query_.observer);
+      }
+    });
+    return colors;
+  }
+
+ private:
+  FilmModel model_of(const std::vector<ModelRow>& rows) const {
+    const Quantity quantity[] = {seen_.side == Side::reflected ? Quantity::R : Quantity::T};
+    return FilmModel(query_.film, rows, quantity);
+  }
+
+  optics::Stack at(double thickness_nm) const {
+    optics::Stack stack = query_.film.stack;
+    for (const std::size_t layer : query_.film.unknowns.front().layers) stack.layers[layer].thickness_nm = thickness_nm;
+    return stack;
+  }
+
+  // At the shortest wavelength the fringes are the finest.
+  bool is_resolved(double thickness_nm) const {
+    const optics::Stack stack = at(thickness_nm);
+    return !may_have_fine_fringes(stack) ||
+           fringes(optics::resolve(stack, color::first_nm), seen_.incidence, color::first_nm).all_per_nm <=
+               most_fringes_per_nm;
+  }
+
+  color::Spectrum means(FilmModel& film) const {
+    color::Spectrum share{};
+    if (film.size() == share.size()) {
+      film.shares(share);
+      return share;
+    }
+    std::vector<double> shares(film.size());
+    film.shares(shares);
+    for (std::size_t i = 0; i < share.size(); ++i) {
+      for (std::size_t row = first_[i]; row < first_[i + 1]; ++row) share[i] += shares[row];
+      share[i] /= static_cast<double>(first_[i + 1] - first_[i]);
+    }
+    return share;
+  }
+
+  const ColorQuery& query_;
+  const SeenColor& seen_;
+  FilmModel plain_, fine_;
+  std::vector<std::size_t> first_;  // row of each nanometre in fine_, and the end
+};
 
 // Of a checked query.
 std::vector<color::Xyz> colors_at(const ColorQuery& query, const SeenColor& seen,
                                   const std::vector<double>& thicknesses_nm) {
   const Unknown& unknown = query.film.unknowns.front();
-  if (unknown.layers.size() > 1) return tied_colors(query, seen, thicknesses_nm);
+  if (unknown.layers.size() > 1) return TiedColors(query, seen).colors(thicknesses_nm);
   Sweep sweep{query.film.stack, unknown.layers.front(), thicknesses_nm, seen.incidence, seen.side};
   const Result<std::vector<color::Xyz>> colors = swept_colors(sweep, query.lamp, *query.observer);
   return colors ? *colors : std::vector<color::Xyz>(thicknesses_nm.size());
@@ -122,7 +176,8 @@ double step_nm(const ColorQuery& query) {
 }
 
 // The order of the path difference (6), as the charts mark it.
-double order_of(const ColorQuery& query, double thickness_nm) {
+std::optional<double> order_of(const ColorQuery& query, double thickness_nm) {
+  if (!has_fringes(query.film, 0)) return {};
   const optics::Stack& stack = query.film.stack;
   const std::complex<double> n1 = stack.incidence.index(order_retardation_nm);
   const std::complex<double> n =
@@ -131,9 +186,9 @@ double order_of(const ColorQuery& query, double thickness_nm) {
   return 2 * n_cos * thickness_nm / order_retardation_nm;
 }
 
-// Whether the layer is seen alone over most of the stretch: of light that crosses it and returns, hardly any is left.
+// Whether most of the stretch lets next to nothing through.
 bool is_opaque(const ColorQuery& query, const Stretch& level) {
-  constexpr double most_returning = 0.02;
+  constexpr double most_passing = 0.01;
   const Unknown& unknown = query.film.unknowns.front();
   if (level.high_nm < unknown.high_nm) return false;
   const double middle_nm = (level.low_nm + level.high_nm) / 2;
@@ -144,9 +199,9 @@ bool is_opaque(const ColorQuery& query, const Stretch& level) {
       const auto nm = static_cast<double>(color::wavelength_nm(i));
       const double k_c =
           optics::normal_index(query.film.stack.incidence.index(nm), seen.incidence, medium.index(nm)).imag();
-      share[i] = std::exp(-8 * std::numbers::pi * std::abs(k_c) * middle_nm / nm);
+      share[i] = std::exp(-4 * std::numbers::pi * std::abs(k_c) * middle_nm / nm);
     }
-    if (color::reflectance_to_xyz(share, query.lamp, *query.observer).y > most_returning) return false;
+    if (color::reflectance_to_xyz(share, query.lamp, *query.observer).y > most_passing) return false;
   }
   return true;
 }
@@ -181,9 +236,10 @@ Result<ColorAnswer> thickness_from_color(const ColorQuery& query) {
   ColorAnswer answer;
   answer.step_nm = step_nm(query);
   if (!((unknown.high_nm - unknown.low_nm) / answer.step_nm <= most_scan_steps))
-    return fail(Failure::content,
-                "expected a range of at most " + format_number(std::floor(most_scan_steps * answer.step_nm), 3) +
-                    " nm for the fringes of this film, got " + format_number(unknown.high_nm - unknown.low_nm) + " nm");
+    return fail(Failure::content, "expected a range of at most " +
+                                      format_number(std::floor(most_scan_steps * answer.step_nm), 3) + " nm for the " +
+                                      (has_fringes(query.film, 0) ? "fringes" : "absorption") + " of this film, got " +
+                                      format_number(unknown.high_nm - unknown.low_nm) + " nm");
 
   std::vector<Comparison> comparisons;
   for (const SeenColor& seen : query.seen) comparisons.emplace_back(query, seen);

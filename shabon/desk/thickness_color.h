@@ -51,14 +51,15 @@ struct ColorCandidate {
   std::vector<double> differences;  // of each
   std::vector<color::Xyz> xyz;      // of the film, as each is seen
   std::vector<double> exposure;     // what brings that to the Y told; 1 unless lightness is ignored
-  double order = 0;                 // path difference 2 Re(n cos) thickness / 550 nm of the first colour
+  std::optional<double> order;      // path difference 2 Re(n cos) thickness / 550 nm of the first colour; an incoherent
+                                    // layer has none
   double weight = 0;                // share of the probability, 0..1 (48)
   double interval_low_nm = 0, interval_high_nm = 0;  // 95 % of that
 
   // Where the colour does not tell the thickness: any of the stretch is as good (scanned_minima()).
   std::optional<Stretch> level = {};
-  bool opaque = false;  // because the layer hides what lies below it: less than 2 % return from there, in the middle of
-                        // the stretch
+  bool opaque = false;  // because most of it lets next to nothing through: its middle passes less than 1 %, once; tied
+                        // layers count one by one
 };
 
 struct ColorAnswer {

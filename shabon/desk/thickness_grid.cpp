@@ -113,7 +113,7 @@ GridMinima grid_minima(const FilmModel& model, const UnknownFilm& film, const Fi
     found.starts.push_back(start);
   }
   for (std::size_t j = 0; j < grid.size; ++j)
-    found.step_fringes = std::max(found.step_fringes, grid.step_nm(j) * fringes_per_nm[j]);
+    if (has_fringes(film, j)) found.step_fringes = std::max(found.step_fringes, grid.step_nm(j) * fringes_per_nm[j]);
   return found;
 }
 

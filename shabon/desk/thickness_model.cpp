@@ -62,13 +62,17 @@ optics::FilmTerms clear_terms(double n_c, double thickness_nm, double wavelength
 
 std::span<const QuantityEntry> quantities() { return quantity_list; }
 
+bool has_fringes(const UnknownFilm& film, std::size_t unknown) {
+  return film.stack.layers[film.unknowns[unknown].layers.front()].coherent;
+}
+
 double fringes_per_nm(const UnknownFilm& film, std::size_t unknown, std::span<const ModelRow> rows) {
-  const optics::Medium& medium = film.stack.layers[film.unknowns[unknown].layers.front()].medium;
+  const optics::Layer& layer = film.stack.layers[film.unknowns[unknown].layers.front()];
   double most = 0;
   for (const ModelRow& row : rows) {
     const std::complex<double> n1 = film.stack.incidence.index(row.wavelength_nm);
-    const std::complex<double> n = medium.index(row.wavelength_nm);
-    most = std::max(most, 2 * std::abs(optics::normal_index(n1, row.incidence, n)) / row.wavelength_nm);
+    const std::complex<double> n_c = optics::normal_index(n1, row.incidence, layer.medium.index(row.wavelength_nm));
+    most = std::max(most, 2 * (layer.coherent ? std::abs(n_c) : std::abs(n_c.imag())) / row.wavelength_nm);
   }
   return most;
 }

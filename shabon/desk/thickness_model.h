@@ -44,8 +44,12 @@ struct ModelRow {
   optics::Incidence incidence;
 };
 
+// Whether the light within an unknown layer interferes: not in an incoherent one.
+bool has_fringes(const UnknownFilm& film, std::size_t unknown);
+
 // Fringes of the path difference in an unknown layer, 2 |n cos| / wavelength, per nm of its thickness: the largest
-// among the rows. Absorption counts as well: the wave then changes over the depth it reaches.
+// among the rows. Absorption counts as well: the wave then changes over the depth it reaches. In an incoherent layer
+// absorption is all that counts.
 double fringes_per_nm(const UnknownFilm& film, std::size_t unknown, std::span<const ModelRow> rows);
 
 // Double precision; equal to film_powers() within 1e-10. Not for several threads at once: each takes a copy.

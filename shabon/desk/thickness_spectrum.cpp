@@ -81,6 +81,7 @@ Problem problem_of(const SpectrumQuery& query) {
 
 // How much the fringes of an unknown at the upper end of its range differ between two rows.
 double fringes_between(const Problem& problem, std::size_t unknown, std::size_t row, std::size_t other) {
+  if (!has_fringes(problem.film, unknown)) return 0;
   const std::span<const ModelRow> rows = problem.rows;
   const double here = fringes_per_nm(problem.film, unknown, rows.subspan(row, 1));
   const double there = fringes_per_nm(problem.film, unknown, rows.subspan(other, 1));

@@ -95,7 +95,8 @@ TEST(ThicknessFromColor, TellsTheColourOfWhatItFinds) {
       squares += difference * difference;
     }
     EXPECT_NEAR(candidate.difference, std::sqrt(squares / 2), 1e-6);
-    EXPECT_NEAR(candidate.order, 2 * 1.4599 * candidate.thickness_nm / 550, 1e-3 * candidate.order);
+    EXPECT_NEAR(candidate.order.value_or(0), 2 * 1.4599 * candidate.thickness_nm / 550,
+                1e-3 * candidate.order.value_or(0));
   }
 }
 
@@ -250,6 +251,13 @@ TEST(ThicknessFromColor, LevelStretchesAreOne) {
       EXPECT_EQ(level->level->high_nm, 500) << expression;
       EXPECT_GT(level->weight, 0.9) << expression;
     }
+  // A range that ends where a seventh of the light still passes is not opaque, though hardly any returns from below.
+  ColorQuery thin = query_for("air | Ag ? | glass", 30, {{}}, "D65", 32);
+  thin.film.unknowns.front().low_nm = 26;
+  thin.uncertainty = 5;
+  const ColorAnswer seen_through = answer_to(thin);
+  ASSERT_TRUE(seen_through.candidates.front().level);
+  EXPECT_FALSE(seen_through.candidates.front().opaque);
   // A clear film is never opaque, and where its colour tells nothing the whole range is level.
   ColorQuery vague = query_for("air | SiO2 ? | Si", 300);
   vague.uncertainty = 1000;
@@ -258,6 +266,46 @@ TEST(ThicknessFromColor, LevelStretchesAreOne) {
   EXPECT_FALSE(answer.candidates.front().opaque);
   vague.uncertainty = 1;
   EXPECT_FALSE(answer_to(vague).candidates.front().level);
+}
+
+// An incoherent layer has no fringes that would bound its range, and no orders; its absorption tells the thickness.
+TEST(ThicknessFromColor, FindsIncoherentLayers) {
+  const std::string expression = "air | 1.5+1e-5i ? incoherent | air";
+  const double thickness_nm = 1.7e6;
+  ColorQuery query;
+  query.film = unknown_film(expression, 5e6);
+  const double found_nm[] = {thickness_nm};
+  const optics::Stack stack = known_stack(query.film, found_nm);
+  query.seen = {
+      {color::reflectance_to_xyz(unpolarised(stack, optics::Interference::airy, {}, Side::transmitted), query.lamp),
+       {},
+       Side::transmitted}};
+  const auto answer = thickness_from_color(query);
+  ASSERT_TRUE(answer.ok());
+  EXPECT_TRUE(answer->found);
+  EXPECT_NEAR(answer->candidates.front().thickness_nm, thickness_nm, 1);
+  EXPECT_FALSE(answer->candidates.front().order.has_value());
+}
+
+// Tied layers are looked at as closely as single ones: where their fringes are finer than 1 nm their colours are means.
+TEST(ThicknessFromColor, TiedLayersHaveTheColoursOfTheFilm) {
+  for (const std::string expression : {"air | (1.45 ? | 1.6 100nm)^2 | glass", "air | (water ?)^2 | air"}) {
+    ColorQuery query;
+    query.film = unknown_film(expression, 39.6e3);
+    query.film.unknowns.front().low_nm = 39.3e3;
+    const double asked_nm[] = {39.4e3};
+    const optics::Stack stack = known_stack(query.film, asked_nm);
+    query.seen = {
+        {color::reflectance_to_xyz(unpolarised(stack, optics::Interference::airy, {}, Side::reflected), query.lamp)}};
+    const auto answer = thickness_from_color(query);
+    ASSERT_TRUE(answer.ok()) << expression;
+    const ColorCandidate& best = answer->candidates.front();
+    EXPECT_LT(best.difference, 0.05) << expression;
+    const double best_nm[] = {best.thickness_nm};
+    const color::Xyz exact = color::reflectance_to_xyz(
+        unpolarised(known_stack(query.film, best_nm), optics::Interference::airy, {}, Side::reflected), query.lamp);
+    EXPECT_NEAR(best.xyz.front().y, exact.y, 2e-4) << expression;
+  }
 }
 
 TEST(ThicknessFromColor, IntervalsHoldTheirThickness) {
