@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -61,5 +62,35 @@ inline double ggx_visible_density(const math::Vec3d& o, const math::Vec3d& h, do
 // lost between the facets), and its mean over a diffuse field. Interpolated in tables made at the first call.
 double single_scattering(double cos_o, double alpha);
 double mean_single_scattering(double alpha);
+
+// What becomes of light from one direction at rough facets, by the cosine between it and the facet's normal: hat
+// functions that crowd above the critical angle, where reflection changes fast. All facets seen together count as 1.
+inline constexpr int facet_nodes = 48;
+
+struct FacetCosines {
+  double critical = 0;  // cosine of the critical angle; 0 from the thinner medium
+  int below = 0;        // nodes below it, where all is reflected
+
+  explicit FacetCosines(double near_over_far)
+      : critical(near_over_far > 1 ? std::sqrt(1 - 1 / (near_over_far * near_over_far)) : 0),
+        below(critical > 0 ? 8 : 0) {}
+  double at(int k) const {
+    const double above = (k - below) / (facet_nodes - 1.0 - below);
+    return k < below ? critical * k / below : critical + (1 - critical) * above * above;
+  }
+  double place(double cos) const {
+    if (cos < critical) return cos / critical * below;
+    return below + std::sqrt((cos - critical) / (1 - critical)) * (facet_nodes - 1 - below);
+  }
+};
+
+struct FacetShares {
+  std::array<float, facet_nodes> seen{};
+  std::array<float, facet_nodes> lost_reflected{};  // of what such facets mirror: meets other facets
+  std::array<float, facet_nodes> lost_refracted{};  // of what they refract
+};
+
+// For light at cosine `cos_o` in a medium whose index is `near_over_far` times that behind the facets.
+FacetShares facet_shares(double cos_o, double alpha, double near_over_far);
 
 }  // namespace shabon::render

@@ -12,7 +12,7 @@ namespace shabon::testing_surfaces {
 struct SurfaceCase {
   std::string name;
   bool keeps_light = true;  // sends on all the light that arrives, to both sides together
-  // How much of the light single scattering between facets may lose, where that is stated rather than made up for.
+  // How much of its light a whole object may lose where tables and chance are less exact.
   double may_lose = 0;
   // Adds the surface (and what it is made of) to the scene; its index.
   std::function<int(scene::Scene&)> add;

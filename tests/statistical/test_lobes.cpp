@@ -80,7 +80,7 @@ TEST_P(LobesOf, DirectionsComeAsOftenAsTheirDensitySays) {
       for (int k = 0; k < found.count; ++k) {
         const Lobe& lobe = found.lobe[k];
         if (render::is_smooth(lobe.kind)) continue;
-        constexpr int count = 400000, steps = 900, turns = 240;
+        constexpr int count = 150000, steps = 900, turns = 240;
         std::vector<double> seen(rows * columns), expected(rows * columns);
         for (int i = 0; i < count; ++i) {
           math::Vec3d direction;
@@ -97,9 +97,9 @@ TEST_P(LobesOf, DirectionsComeAsOftenAsTheirDensitySays) {
           }
         double distance = 0;
         for (std::size_t i = 0; i < seen.size(); ++i) distance += std::abs(seen[i] - expected[i]) / 2;
-        // A fair die with so many faces is off by about sqrt(faces/(2 pi count)) = 0.015.
-        EXPECT_LT(distance, 0.02) << angle_deg << (from_back ? " from the back" : "") << ", lobe " << k << ", kind "
-                                  << int(lobe.kind);
+        // A fair die with so many faces is off by about sqrt(faces/(2 pi count)) = 0.025.
+        EXPECT_LT(distance, 0.032) << angle_deg << (from_back ? " from the back" : "") << ", lobe " << k << ", kind "
+                                   << int(lobe.kind);
       }
     }
 }
@@ -143,33 +143,39 @@ TEST_P(LobesOf, LightTakesTheSameWayBack) {
   }
 }
 
-TEST_P(LobesOf, NoMoreLeavesThanArrives) {
-  Pcg32 random(3);
+// What goes on of unpolarised light along one lobe, by points that fill the space of chances evenly.
+double power_of(const Vertex& vertex, const LocalFrame& frame, const Lobe& lobe) {
+  if (render::is_smooth(lobe.kind)) return double(lobe.block.a[7]) * double(lobe.share);
+  constexpr int count = 12000;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto chance = [i](double step) { return std::fmod(0.5 + i * step, 1.0); };
+    math::Vec3d direction;
+    // Powers of the root of x^4 = x + 1 (the generalised golden ratio).
+    if (!render::sample(vertex, frame, lobe, chance(0.8191725133961645), chance(0.6710436067037893),
+                        chance(0.5497004779019703), direction))
+      continue;
+    const double density = render::density(vertex, frame, lobe, direction);
+    if (density > 0)
+      sum += double(render::scattered(vertex, frame, lobe, unpolarized_row(), direction).row.q0[7]) *
+             double(lobe.share) / density;
+  }
+  return sum / count;
+}
+
+TEST_P(LobesOf, KeepWhatArrives) {
   for (const bool from_back : {false, true})
     for (const double angle_deg : {0.0, 30.0, 60.0, 80.0, 89.0}) {
       const Vertex vertex = arrival(angle_deg, from_back);
       const LocalFrame frame(vertex.normal);
       const Lobes found = lobes(vertex);
       double sum = found.emits ? 1 : 0;
-      for (int k = 0; k < found.count; ++k) {
-        const Lobe& lobe = found.lobe[k];
-        if (render::is_smooth(lobe.kind)) {
-          sum += double(lobe.block.a[7]) * double(lobe.share);
-          continue;
-        }
-        constexpr int count = 20000;
-        for (int i = 0; i < count; ++i) {
-          math::Vec3d direction;
-          if (!render::sample(vertex, frame, lobe, random.uniform(), random.uniform(), random.uniform(), direction))
-            continue;
-          const double density = render::density(vertex, frame, lobe, direction);
-          if (density > 0)
-            sum += double(render::scattered(vertex, frame, lobe, unpolarized_row(), direction).row.q0[7]) *
-                   double(lobe.share) / density / count;
-        }
+      for (int k = 0; k < found.count; ++k) sum += power_of(vertex, frame, found.lobe[k]);
+      // The tables of rough boundaries are good to 3e-3, dispersive ones to 5e-3, and this sum to 1e-3.
+      EXPECT_LT(sum, 1.007) << angle_deg << (from_back ? " from the back" : "");
+      if (GetParam().keeps_light) {
+        EXPECT_GT(sum, 1 - GetParam().may_lose - 0.007) << angle_deg << (from_back ? " from the back" : "");
       }
-      // The table of single scattering is good to 3e-3, and so is this sum.
-      EXPECT_LT(sum, 1.006) << angle_deg << from_back;
     }
 }
 

@@ -57,7 +57,7 @@ TEST(SurfaceCases, CoverTheList) {
 TEST_P(Furnace, KeepsItsLight) {
   for (const bool sphere : {false, true}) {
     if (!sphere && GetParam().solid) continue;
-    const Mean mean = mean_of(furnace(GetParam(), sphere), 6);
+    const Mean mean = mean_of(furnace(GetParam(), sphere), 5);
     std::printf("%-26s %-6s Y = %.6f +- %.6f\n", GetParam().name.c_str(), sphere ? "sphere" : "quad", mean.y,
                 mean.error);
     EXPECT_LT(mean.y, 1 + 5 * mean.error + 2e-4);
@@ -70,10 +70,10 @@ TEST_P(Furnace, TreeAndPathAgree) {
   scene::Scene scene = furnace(GetParam(), true);
   // A light that is not the same from everywhere.
   scene.environment.base = scene::GradientLight{0, 0, 1.0, 0.1};
-  const Mean tree = mean_of(scene, 8);
+  const Mean tree = mean_of(scene, 5);
   scene.render.transport = scene::Transport::path;
-  scene.render.samples = 256;
-  const Mean path = mean_of(scene, 8);
+  scene.render.samples = 128;
+  const Mean path = mean_of(scene, 5);
   EXPECT_LT(std::abs(tree.y - path.y), 5 * std::hypot(tree.error, path.error) + 1e-5) << tree.y << " " << path.y;
 }
 

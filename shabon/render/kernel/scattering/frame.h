@@ -41,6 +41,10 @@ inline Row scaled(const Row& row, const Lanes& factor) {
   return {row.q0 * factor, row.q1 * factor, row.q2 * factor, row.q3 * factor};
 }
 
+inline Block scaled(const Block& block, const Lanes& factor) {
+  return {block.a * factor, block.b * factor, block.c * factor, block.d * factor};
+}
+
 inline Row unpolarized(const Lanes& q0) { return {q0, Lanes(0.0f), Lanes(0.0f), Lanes(0.0f)}; }
 
 inline float mean(const Lanes& lanes) { return math::sum(lanes) * (1.0f / lane_count); }

@@ -42,10 +42,13 @@ struct CoatingHere {
   double thickness_nm = -1;  // of the layer that varies; negative: as in the table
 
   optics::FilmMueller<lane_count> at(std::size_t comb, double cos) const;
-  struct Means {
-    Lanes reflected, transmitted;
-  };
-  Means diffuse_means(std::size_t comb) const;  // of diffuse unpolarised light
+  // Into what lies under the boundary, which gets all that a rough boundary does not mirror.
+  Block entering(std::size_t comb, double cos, float alpha) const;
+  // What rough facets leave over; `behind` turns to the other side of the boundary.
+  const RestTable& rest_table(bool behind) const { return from_back != behind ? table->back_rest : table->front_rest; }
+  Lanes rest(std::size_t comb, double cos, float alpha, bool behind = false) const;
+  Lanes mean_rest(std::size_t comb, float alpha, bool behind = false) const;
+  BoundaryPowers diffuse_means(std::size_t comb) const { return table->diffuse_means(comb, thickness_nm); }
   // Near over far at one wavelength.
   double index_ratio(std::size_t comb, int lane) const;
 };
@@ -53,10 +56,10 @@ struct CoatingHere {
 struct Lobe {
   LobeKind kind = LobeKind::mirror;
   bool parts_wavelengths = false;  // the direction depends on the wavelength: only the hero goes on
-  Block block;                     // smooth lobes; rough and embedded ones: at the mirrored direction
-  Lanes albedo{0.0f};              // diffuse: the reflectance; embedded and rough mirror: see lobes.cpp
+  Block block;                     // smooth and embedded lobes; rough ones: about
+  Lanes albedo{0.0f};              // diffuse: the reflectance; embedded and rough ones: see lobes_of.cpp
   float alpha = 0;
-  float lost = 0;  // rough mirror: what single scattering loses towards the eye, carried by a diffuse part
+  float lost = 0;  // rough ones: the part that carries what single scattering loses, about, (56) and (62)
   CoatingHere coating;
   float share = 1;     // of the surface, where several are mixed
   float estimate = 0;  // about what goes on this way, of the row that arrives

@@ -85,51 +85,78 @@ struct LobeMaker {
     return sum;
   }
 
-  // The boundary's reflection, smooth or rough; what roughness loses is made up for unless it goes through as well.
-  void add_reflection(const CoatingHere& coating, float alpha, const Block& block, bool make_up) const {
-    const bool rough = alpha >= least_alpha;
-    Lobe* lobe = add(rough ? LobeKind::rough_mirror : LobeKind::mirror);
-    if (lobe == nullptr) return;
-    lobe->block = block, lobe->alpha = alpha, lobe->coating = coating;
-    if (!rough || !make_up) return;
-    lobe->lost = static_cast<float>(1 - single_scattering(vertex.cos_o, alpha));
-    const auto once = static_cast<float>(mean_single_scattering(alpha));
-    const Lanes R = coating.diffuse_means(vertex.comb).reflected;
-    lobe->albedo = R * R * Lanes(once) / (Lanes(1.0f) - R * Lanes(1 - once));
+  // The boundary's reflection, smooth or rough.
+  Lobe* add_reflection(const CoatingHere& coating, float alpha, const Block& block) const {
+    Lobe* lobe = add(alpha >= least_alpha ? LobeKind::rough_mirror : LobeKind::mirror);
+    if (lobe != nullptr) lobe->block = block, lobe->alpha = alpha, lobe->coating = coating;
+    return lobe;
   }
 
   void operator()(const scene::FreeFilmSurface& surface) const { add_films(surface.first_film, surface.film_count); }
 
+  void add_facets(const CoatingHere& coating, float alpha, bool parts_wavelengths) const {
+    const std::size_t comb = vertex.comb;
+    const Lanes n_squared = coating.table->n_behind_squared[comb], one(1.0f);
+    const Lanes near = coating.from_back ? n_squared : one, far = coating.from_back ? one : n_squared;
+    const Lanes near_mean = coating.mean_rest(comb, alpha), far_mean = coating.mean_rest(comb, alpha, true);
+    const Lanes rest = coating.rest(comb, vertex.cos_o, alpha);
+    const Lanes all = rest / max(near * near_mean + far * far_mean, Lanes(1e-20f));  // (62)
+    const RestTable::Once once = coating.rest_table(false).once(vertex.cos_o, alpha, coating.thickness_nm);
+    const auto add_one = [&](LobeKind kind, float sharp, const Lanes& n2, const Lanes& rest_mean) {
+      Lobe* lobe = add(kind);
+      if (lobe == nullptr) return;
+      lobe->alpha = alpha, lobe->coating = coating;
+      lobe->albedo = all * n2;
+      const Lanes lost = lobe->albedo * rest_mean;
+      lobe->block.a = Lanes(sharp) + lost;
+      lobe->lost = mean(lost) / std::max(1e-20f, sharp + mean(lost));
+      lobe->parts_wavelengths = parts_wavelengths && kind == LobeKind::rough_refracted;
+    };
+    add_one(LobeKind::rough_mirror, once.mirrored, near, near_mean);
+    add_one(LobeKind::rough_refracted, once.refracted, far, far_mean);
+  }
+
   void operator()(const scene::DielectricSurface& surface) const {
     const CoatingHere coating = coating_here();
     const float alpha = alpha_of(surface.roughness);
+    const bool rough = alpha >= least_alpha, bends = coating.table->bends();
+    const bool parts = !coating.table->one_direction && !vertex.one_lane;
+    if (rough && bends) return add_facets(coating, alpha, parts);
     const auto m = coating.at(vertex.comb, vertex.cos_o);
-    add_reflection(coating, alpha, m.reflected, false);
-    const bool bends = !(coating.table->one_direction && std::abs(coating.index_ratio(vertex.comb, 0) - 1) < 1e-9);
-    Lobe* lobe = add(!bends                 ? LobeKind::straight
-                     : alpha >= least_alpha ? LobeKind::rough_refracted
-                                            : LobeKind::refracted);
+    add_reflection(coating, alpha, m.reflected);
+    Lobe* lobe = add(bends ? LobeKind::refracted : LobeKind::straight);
     if (lobe == nullptr) return;
-    lobe->block = m.transmitted, lobe->alpha = alpha, lobe->coating = coating;
-    lobe->parts_wavelengths = !coating.table->one_direction && !vertex.one_lane;
+    lobe->block = m.transmitted, lobe->coating = coating, lobe->parts_wavelengths = parts;
+    if (!rough) return;
+    // Straight on goes all that is not mirrored, the same from both sides.
+    const Lanes front = coating.rest(vertex.comb, vertex.cos_o, alpha);
+    const Lanes back = coating.rest(vertex.comb, vertex.cos_o, alpha, true);
+    lobe->block = scaled(lobe->block, Lanes(0.5f) * (front + back) / max(lobe->block.a, Lanes(1e-20f)));
   }
 
   void operator()(const scene::ConductorSurface& surface) const {
     const CoatingHere coating = coating_here();
-    add_reflection(coating, alpha_of(surface.roughness), coating.at(vertex.comb, vertex.cos_o).reflected, true);
+    const float alpha = alpha_of(surface.roughness);
+    Lobe* lobe = add_reflection(coating, alpha, coating.at(vertex.comb, vertex.cos_o).reflected);
+    if (lobe == nullptr || alpha < least_alpha) return;
+    lobe->lost = static_cast<float>(1 - single_scattering(vertex.cos_o, alpha));
+    const auto once = static_cast<float>(mean_single_scattering(alpha));
+    const Lanes R = coating.diffuse_means(vertex.comb).reflected;  // (56)
+    lobe->albedo = R * R * Lanes(once * lobe->lost / (1 - once)) / (Lanes(1.0f) - R * Lanes(1 - once));
   }
 
   void operator()(const scene::GlossySurface& surface) const {
     CoatingHere coating = coating_here();
     coating.from_back = false;
-    const auto m = coating.at(vertex.comb, vertex.cos_o);
-    add_reflection(coating, alpha_of(surface.roughness), m.reflected, false);
+    const float alpha = alpha_of(surface.roughness);
+    add_reflection(coating, alpha, coating.at(vertex.comb, vertex.cos_o).reflected);
     Lobe* lobe = add(LobeKind::embedded);
     if (lobe == nullptr) return;
-    lobe->block = m.transmitted, lobe->coating = coating;
+    lobe->block = coating.entering(vertex.comb, vertex.cos_o, alpha), lobe->alpha = alpha, lobe->coating = coating;
     const Lanes rho = reflectance(surface.base), n_squared = coating.table->n_behind_squared[vertex.comb];
-    const Lanes inside = Lanes(1.0f) - coating.diffuse_means(vertex.comb).transmitted / n_squared;
-    lobe->albedo = rho / (n_squared * (Lanes(1.0f) - rho * inside));
+    const Lanes entering =
+        alpha < least_alpha ? coating.diffuse_means(vertex.comb).transmitted : coating.mean_rest(vertex.comb, alpha);
+    lobe->albedo = rho / (n_squared * (Lanes(1.0f) - rho * (Lanes(1.0f) - entering / n_squared)));
   }
 
   void operator()(const scene::PaneSurface&) const {

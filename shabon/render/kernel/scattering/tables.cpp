@@ -2,8 +2,6 @@
 
 #include <numbers>
 
-#include "shabon/optics/reference/stack.h"
-
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
@@ -80,44 +78,18 @@ class Spaces {
   std::vector<optics::Medium> media_;
 };
 
-std::unique_ptr<CoatingTable> coating_table(const scene::Coating& coating, bool opaque, const std::vector<Comb>& combs,
-                                            Spaces& spaces) {
-  std::vector<double> wavelengths_nm;
-  for (const Comb& comb : combs)
-    wavelengths_nm.insert(wavelengths_nm.end(), comb.wavelength_nm.begin(), comb.wavelength_nm.end());
-  optics::Stack stack = coating.stack;
-  const int in_front = spaces.number(stack.incidence), behind = opaque ? 0 : spaces.number(stack.exit);
-  stack.incidence = without_absorption(stack.incidence);
-  if (!opaque) stack.exit = without_absorption(stack.exit);
-  // Seen from behind an opaque surface is black; its table is never asked.
-  const optics::Stack back = opaque ? stack : optics::reversed(stack);
-  const auto ratio = [&](double nm) { return stack.incidence.index(nm).real() / stack.exit.index(nm).real(); };
-  auto table = std::make_unique<CoatingTable>(CoatingTable{optics::StackTable(stack, wavelengths_nm),
-                                                           optics::StackTable(back, wavelengths_nm),
-                                                           &coating,
-                                                           opaque,
-                                                           stack.incidence.is_constant() && stack.exit.is_constant(),
-                                                           rows(combs, ratio),
-                                                           in_front,
-                                                           behind,
-                                                           {}});
-  table->n_behind_squared = in_float(rows(combs, [&](double nm) { return 1 / (ratio(nm) * ratio(nm)); }));
-  return table;
-}
-
 struct SurfaceTables {
   const std::vector<Comb>& combs;
   Spaces& spaces;
 
-  SurfaceTable operator()(const scene::DielectricSurface& s) const {
-    return {coating_table(s.coating, false, combs, spaces), nullptr};
+  template <class Surface>
+  SurfaceTable coated(const Surface& s, RestGoes rest) const {
+    const auto number = [this](const optics::Medium& medium) { return spaces.number(medium); };
+    return {coating_table(s.coating, s.roughness, rest, combs, number), nullptr};
   }
-  SurfaceTable operator()(const scene::ConductorSurface& s) const {
-    return {coating_table(s.coating, true, combs, spaces), nullptr};
-  }
-  SurfaceTable operator()(const scene::GlossySurface& s) const {
-    return {coating_table(s.coating, false, combs, spaces), nullptr};
-  }
+  SurfaceTable operator()(const scene::DielectricSurface& s) const { return coated(s, RestGoes::spread); }
+  SurfaceTable operator()(const scene::ConductorSurface& s) const { return coated(s, RestGoes::nowhere); }
+  SurfaceTable operator()(const scene::GlossySurface& s) const { return coated(s, RestGoes::behind); }
   SurfaceTable operator()(const scene::PaneSurface& s) const {
     return {nullptr, std::make_unique<PaneTable>(s.stack, combs)};
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shabon/geometry/shape_set.h"
-#include "shabon/optics/packet/stack.h"
+#include "shabon/render/kernel/scattering/coating_table.h"
 #include "shabon/render/kernel/scattering/pane_table.h"
 #include "shabon/render/kernel/scene_tables.h"
 #include "shabon/render/lamp_sampling.h"
@@ -17,17 +17,6 @@ inline namespace SHABON_REGISTERS {
 struct SpaceTable {
   bool absorbs = false;
   std::vector<Lanes> log2_loss_per_unit;  // per comb: log2 of what is left after one of the scene's units
-};
-
-// The boundary of dielectrics, conductors and glossy surfaces.
-struct CoatingTable {
-  optics::StackTable front, back;  // from the front and from the back; all combs one after the other
-  const scene::Coating* coating = nullptr;
-  bool opaque = false;              // what lies behind absorbs: light never comes from there
-  bool one_direction = true;        // refraction is the same at all wavelengths
-  std::vector<LanesD> index_ratio;  // front over back, per comb
-  int space_in_front = 0, space_behind = 0;
-  std::vector<Lanes> n_behind_squared;  // relative to the front, per comb
 };
 
 struct SurfaceTable {
