@@ -141,6 +141,13 @@ std::vector<io::ChartSeries> order_lines(const AngleMap& map) {
   return lines;
 }
 
+// "5 x ", or nothing where every order has a line.
+std::string every(const AngleMap& map) {
+  const std::size_t step = orders_per_mark(order_thickness_nm(map.film, map.incidence_deg.front()),
+                                           map.thicknesses_nm.front(), map.thicknesses_nm.back());
+  return step == 1 ? "" : fmt::format("{} \u00D7 ", step);
+}
+
 io::ChartPlot plot(const AngleMap& map, const Side& side, const ChartOptions& options) {
   io::ChartPlot plot;
   plot.y = {"angle of incidence (degrees)", map.incidence_deg.front(), map.incidence_deg.back()};
@@ -165,7 +172,8 @@ io::Chart draw(const AngleMap& map, const ChartOptions& options) {
   if (options.exposure == ChartExposure::each)
     chart.notes.push_back("Each angle is brightened until its brightest colour has Y = 1.");
   if (!chart.series.empty())
-    chart.notes.push_back("Lines: the path difference 2 n d cos \u03B8 in the film is a whole multiple of 550 nm.");
+    chart.notes.push_back(fmt::format(
+        "Lines: the path difference 2 n d cos \u03B8 in the film is a whole multiple of {}550 nm.", every(map)));
   chart.notes.insert(chart.notes.end(), map.notes.begin(), map.notes.end());
   chart.notes.push_back(display_note(options));
   return chart;

@@ -16,12 +16,22 @@ namespace shabon::app {
 namespace {
 
 constexpr const char* default_stack = "air | water 0nm | air";
-constexpr std::size_t most_orders = 1000;
+// More orders than that would be a comb; then every fifth, tenth, fiftieth ... is marked.
+constexpr double most_single_orders = 30, most_marks = 15;
+constexpr std::size_t most_orders_per_mark = 500'000'000;  // of a metre
 
 std::string ordinal(std::size_t number) {
   const std::size_t tens = number % 100, ones = number % 10;
   const bool teen = tens >= 11 && tens <= 13;
   return std::to_string(number) + (teen ? "th" : ones == 1 ? "st" : ones == 2 ? "nd" : ones == 3 ? "rd" : "th");
+}
+
+// "250 nm", "80 um", "1 mm": in the unit that needs the fewest noughts.
+std::string length_text(double nm) {
+  constexpr double nm_per_um = 1e3, nm_per_mm = 1e6, least_in_um = 1e4;
+  if (nm >= nm_per_mm) return format_number(nm / nm_per_mm, 6) + " mm";
+  if (nm >= least_in_um) return format_number(nm / nm_per_um, 6) + " \u00B5m";
+  return format_number(nm, 6) + " nm";
 }
 
 }  // namespace
@@ -92,16 +102,25 @@ double order_thickness_nm(const SweptFilm& film, double incidence_deg) {
   return desk::order_retardation_nm / (2 * std::abs(n2_cos.real()));
 }
 
+std::size_t orders_per_mark(double order_length, double low, double high) {
+  const double orders = (high - low) / order_length;
+  if (!(orders > most_single_orders)) return 1;
+  std::size_t step = 5;
+  while (orders / static_cast<double>(step) > most_marks && step < most_orders_per_mark) step *= step % 10 == 5 ? 2 : 5;
+  return step;
+}
+
 std::vector<io::ChartSpan> order_spans(double order_length, double low, double high) {
   std::vector<io::ChartSpan> spans;
   if (!(order_length > 0) || !std::isfinite(high / order_length)) return spans;
-  const double first = std::floor(low / order_length);
-  if (high / order_length - first > static_cast<double>(most_orders)) return spans;
-  for (std::size_t i = 0; order_length * (first + static_cast<double>(i)) < high; ++i) {
-    const double order = first + static_cast<double>(i);
-    const auto number = static_cast<std::size_t>(order) + 1;
-    spans.push_back(
-        {order * order_length, (order + 1) * order_length, ordinal(number) + " order", std::to_string(number)});
+  const std::size_t step = orders_per_mark(order_length, low, high);
+  const double mark_length = order_length * static_cast<double>(step);
+  for (double mark = std::floor(low / mark_length); mark * mark_length < high; ++mark) {
+    const auto first = static_cast<std::size_t>(mark) * step + 1, last = first + step - 1;
+    io::ChartSpan& span = spans.emplace_back();
+    span.low = mark * mark_length, span.high = (mark + 1) * mark_length;
+    span.label = step == 1 ? ordinal(first) + " order" : fmt::format("orders {} to {}", first, last);
+    span.short_label = step == 1 ? std::to_string(first) : fmt::format("{}\u2013{}", first, last);
   }
   return spans;
 }
@@ -118,7 +137,7 @@ std::string title_text(const SweptFilm& film) {
   std::string text = film.stack.incidence.name();
   for (std::size_t i = 0; i < film.stack.layers.size(); ++i) {
     const optics::Layer& layer = film.stack.layers[i];
-    text += " | " + layer.medium.name() + (i == film.layer ? " d" : " " + format_number(layer.thickness_nm, 6) + " nm");
+    text += " | " + layer.medium.name() + (i == film.layer ? " d" : " " + length_text(layer.thickness_nm));
     if (!layer.coherent) text += " incoherent";
   }
   return printable(text + " | " + film.stack.exit.name(), most_letters);

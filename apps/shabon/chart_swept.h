@@ -40,7 +40,10 @@ bool has_orders(const SweptFilm& film, const ChartOptions& options);
 // order; n is that of the swept layer at order_retardation_nm. Infinite where the layer is beyond total reflection.
 double order_thickness_nm(const SweptFilm& film, double incidence_deg);
 
-// The orders that lie within the range of thickness.
+// How many orders stand between two marks of a range, so that the marks stay apart: 1, or 5, 10, 50 and so on.
+std::size_t orders_per_mark(double order_length, double low, double high);
+
+// The orders that lie within the range of thickness; where there are many, several to a span.
 std::vector<io::ChartSpan> order_spans(double order_length, double low, double high);
 
 // "thickness d of the film: water (nm)", and for stacks of several layers which one it is.

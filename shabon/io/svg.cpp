@@ -150,6 +150,8 @@ std::string chart_svg(const Chart& chart) {
   double room_right = margin_right;
   for (const ChartPlot* plot : plots) room_right = std::max(room_right, end_label_room(*plot) + 4);
   Frame frame{{margin_left, 0, width - room_right, 0}, x_range(chart), {}};
+  // Of a frame a little wider than it will be.
+  frame.right = width - std::max(room_right, std::min(x_label_room(frame) + 4, width / 4.0));
   double y = margin_top;
   std::string svg = draw_titles(chart, frame.left, y);
   svg += draw_legend(chart, frame.left, frame.right, y);

@@ -119,6 +119,15 @@ std::string x_ticks(const Frame& frame, double axis_y, bool numbers) {
   return svg;
 }
 
+double x_label_room(const Frame& frame) {
+  constexpr double widest_digits = 1.1;  // of the average letter
+  double room = 0;
+  for (const double tick : ticks_of(frame.x, frame.width(), pixels_per_tick_x))
+    room =
+        std::max(room, frame.at_x(tick) + widest_digits * text_width(tick_label(tick), small_size) / 2 - frame.right);
+  return room;
+}
+
 std::string y_axis(const Frame& frame, const std::string& label, bool grid) {
   std::string svg;
   const std::vector<double> ticks = ticks_of(frame.y, frame.height(), pixels_per_tick_y);

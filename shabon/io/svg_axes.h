@@ -33,6 +33,8 @@ bool is_drawn(const ChartPlot& plot);
 std::string x_grid(const Frame& frame);
 // Ticks below `axis_y`, with their numbers where wanted.
 std::string x_ticks(const Frame& frame, double axis_y, bool numbers);
+// What the last of these numbers needs to the right of the frame.
+double x_label_room(const Frame& frame);
 std::string y_axis(const Frame& frame, const std::string& label, bool grid);
 
 }  // namespace shabon::io::svg

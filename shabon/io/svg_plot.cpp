@@ -85,18 +85,65 @@ std::string draw_end_labels(const ChartPlot& plot, const Frame& frame) {
   return svg;
 }
 
-std::string draw_rule(const ChartRule& rule, const Frame& frame) {
+// How many of a plot's lines cross a box.
+std::size_t lines_across(const ChartPlot& plot, const Frame& frame, const Box& box) {
+  const auto crosses = [&](double x1, double y1, double x2, double y2) {
+    // The part of the stretch between the box's left and right (Liang and Barsky), then whether it is above or below.
+    double from = 0, to = 1;
+    const auto cut = [&](double at, double step, double low, double high) {
+      if (step == 0) return at >= low && at <= high;
+      const double a = (low - at) / step, b = (high - at) / step;
+      from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+      return from <= to;
+    };
+    return cut(x1, x2 - x1, box.left, box.right) && cut(y1, y2 - y1, box.top, box.bottom);
+  };
+  return static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), [&](const ChartSeries& series) {
+    for (std::size_t i = 1; i < std::min(series.x.size(), series.y.size()); ++i)
+      if (crosses(frame.at_x(series.x[i - 1]), frame.at_y(series.y[i - 1]), frame.at_x(series.x[i]),
+                  frame.at_y(series.y[i])))
+        return true;
+    return false;
+  }));
+}
+
+// Where a rule's label stands: as far right as the fewest lines cross it.
+Box label_box(const ChartRule& rule, const ChartPlot& plot, const Frame& frame) {
+  constexpr double step = 4, edge = 14;
+  const double width = text_width(rule.label, small_size) + 4 * rule_pad, y = frame.at_y(rule.at);
+  const double top = y - small_size / 2 - rule_pad, bottom = y + small_size / 2 + rule_pad;
+  Box best{};
+  std::size_t fewest = plot.series.size() + 1;
+  for (double right = frame.right - edge; fewest > 0; right -= step) {
+    const Box box{right - width, top, right, bottom};
+    if (fewest <= plot.series.size() && box.left < frame.left + edge) break;
+    const std::size_t crossed = lines_across(plot, frame, box);
+    if (crossed < fewest) best = box, fewest = crossed;
+  }
+  return best;
+}
+
+bool is_seen(const ChartRule& rule, const Frame& frame) {
   const double y = frame.at_y(rule.at);
-  if (!(y >= frame.top && y <= frame.bottom)) return {};
+  return y >= frame.top && y <= frame.bottom;
+}
+
+// Below the lines, which no label hides.
+std::string draw_rule(const ChartRule& rule, const ChartPlot& plot, const Frame& frame) {
+  if (!is_seen(rule, frame)) return {};
+  const double y = frame.at_y(rule.at);
   std::string svg = line(frame.left, y, frame.right, y, "#ffffff", 3, attribute("stroke-opacity", "0.55"));
   svg += line(frame.left, y, frame.right, y, "#1a1a1a", 1.4, attribute("stroke-dasharray", "8 4"));
   if (rule.label.empty()) return svg;
-  const double width = text_width(rule.label, small_size);
-  const double left = frame.right - 14 - width - 4 * rule_pad, top = y - small_size / 2 - rule_pad;
-  svg += rectangle({left, top, left + width + 4 * rule_pad, top + small_size + 2 * rule_pad}, "#ffffff",
-                   attribute("rx", "3") + attribute("stroke", "#333333") + attribute("stroke-width", "0.75"));
-  return svg + text(left + width / 2 + 2 * rule_pad, y + small_size * 0.36, rule.label,
-                    {.size = small_size, .anchor = "middle"});
+  return svg + rectangle(label_box(rule, plot, frame), "#ffffff",
+                         attribute("rx", "3") + attribute("stroke", "#333333") + attribute("stroke-width", "0.75"));
+}
+
+std::string draw_rule_label(const ChartRule& rule, const ChartPlot& plot, const Frame& frame) {
+  if (!is_seen(rule, frame) || rule.label.empty()) return {};
+  const Box box = label_box(rule, plot, frame);
+  return text((box.left + box.right) / 2, frame.at_y(rule.at) + small_size * 0.36, rule.label,
+              {.size = small_size, .anchor = "middle"});
 }
 
 // A single row is a series of patches with sharp sides. Many viewers smooth what they enlarge, so each patch becomes
@@ -137,9 +184,10 @@ std::string draw_plot(const ChartPlot& plot, const Frame& frame, const std::stri
     };
     return outside(series.x, frame.x) || outside(series.y, frame.y);
   });
+  for (const ChartRule& rule : plot.rules) svg += draw_rule(rule, plot, frame);
   svg += clip ? clipped(frame, id, lines) : "<g>\n" + lines + "</g>\n";
   svg += outline(frame);
-  for (const ChartRule& rule : plot.rules) svg += draw_rule(rule, frame);
+  for (const ChartRule& rule : plot.rules) svg += draw_rule_label(rule, plot, frame);
   return svg + draw_end_labels(plot, frame);
 }
 

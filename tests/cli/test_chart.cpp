@@ -286,6 +286,29 @@ TEST(Chart, VeryThickFilmsAreNotAliased) {
   for (std::size_t i = 1; i < thick.size(); ++i) EXPECT_NEAR(thick[i], incoherent, 1e-5) << i;
 }
 
+TEST(Chart, ThickFilmsStayLegible) {
+  const auto svg_of = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"chart", "newton"});
+    arguments.insert(arguments.end(), {"--format", "svg"});
+    return run(arguments).out;
+  };
+  // The last number of the axis stays in the drawing, 1000 px wide; digits are 0.636 of 12 px wide.
+  const std::string wide = svg_of({"air | glass 0nm incoherent | air", "--thickness", "0:1mm"});
+  const std::size_t end = wide.find(">1000000</text>");
+  ASSERT_NE(end, std::string::npos);
+  const std::size_t at = wide.rfind("x=\"", end) + 3;
+  EXPECT_LT(*parse_number(wide.substr(at, wide.find('"', at) - at)) + 7 * 0.636 * 12 / 2, 1000);
+  // Lengths in their own unit, and few marks of orders.
+  const std::string thick =
+      svg_of({"air | 1.5 0nm | glass 1mm incoherent | air", "--layer", "1", "--thickness", "0:100um"});
+  EXPECT_NE(thick.find("1.5 d | N-BK7 1 mm incoherent"), std::string::npos);
+  EXPECT_NE(thick.find(">1\u201350<"), std::string::npos);
+  EXPECT_NE(thick.find(">51\u2013100<"), std::string::npos);
+  int strokes = 0;
+  for (std::size_t i = thick.find("<line"); i != std::string::npos; i = thick.find("<line", i + 1)) ++strokes;
+  EXPECT_LT(strokes, 300);
+}
+
 // An order is 550 nm of path difference: 550 / (2 n cos) of thickness.
 TEST(Chart, OrdersFollowTheIndexAndTheAngle) {
   const auto first_end = [](const std::string& index, const std::string& angle) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "../../well_formed_xml.h"
+#include "shabon/base/text.h"
 #include "shabon/io/image.h"
 #include "shabon/io/svg_elements.h"
 
@@ -246,6 +247,23 @@ TEST(Svg, DrawsAnyChart) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
     EXPECT_EQ(svg.find("<script"), std::string::npos);
   }
+}
+
+// A rule's label makes room for the lines, and where it cannot they are drawn over its box.
+TEST(Svg, LabelsOfRulesHideNoLine) {
+  Chart chart;
+  chart.y = {"", 0.0, 1.0};
+  chart.x = {"", 0.0, 1.0};
+  chart.rules = {{0.5, "half"}};
+  const auto left_of_box = [](const std::string& svg) {
+    const std::size_t at = svg.find("x=\"", svg.rfind("<rect", svg.find("rx=\"3\""))) + 3;
+    return *parse_number(svg.substr(at, svg.find('"', at) - at));
+  };
+  const double alone = left_of_box(chart_svg(chart));
+  chart.series.push_back({"", "#123456", false, {0.94, 0.94}, {0, 1}});
+  const std::string svg = chart_svg(chart);
+  EXPECT_LT(left_of_box(svg), alone);
+  EXPECT_LT(svg.find("rx=\"3\""), svg.find("#123456"));
 }
 
 }  // namespace
