@@ -88,6 +88,21 @@ void choose_listed(SpectrumFindings& findings) {
   findings.unlisted_weight = weight_beside(candidates, findings.listed);
 }
 
+// More than noise and calibration explain; a common factor may be anything.
+void note_shares(const SpectrumFindings& findings, Diagnostics& notes) {
+  constexpr double least = -0.05, most = 1.05;
+  double low = 0, high = 0;
+  for (const desk::MeasuredRow& row : findings.query.measured.rows)
+    for (const double share : row.shares) low = std::min(low, share), high = std::max(high, share);
+  if (low < least)
+    notes.push_back(thickness_note(
+        fmt::format("a share of {}, below 0: is its baseline subtracted twice?", format_number(low, 4))));
+  if (high > most && !findings.command.ignore_scale)
+    notes.push_back(thickness_note(
+        fmt::format("a share of {}, above 1: more light than came in; --ignore-scale leaves the calibration open",
+                    format_number(high, 4))));
+}
+
 void note_angles(const SpectrumFindings& findings, Diagnostics& notes) {
   const std::string file = printable(*findings.command.spectrum_file, 100);
   const std::vector<double>& told = findings.command.incidence_deg;
@@ -121,6 +136,7 @@ Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, Thick
   findings.answer = std::move(*answer);
   choose_listed(findings);
   note_angles(findings, notes);
+  note_shares(findings, notes);
   note_search(findings, notes);
   note_fit(findings, notes);
   report(notes);

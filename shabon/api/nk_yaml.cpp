@@ -14,6 +14,8 @@ namespace shabon::api {
 namespace {
 
 constexpr double nm_per_um = 1000;
+// A table in micrometres that begins here knows nothing of light; one in nm does.
+constexpr double longest_plausible_first_um = 100;
 
 // What one kind of DATA entry gives, and how many numbers stand in a row of its table.
 struct TableKind {
@@ -150,6 +152,10 @@ class Reader {
         return refuse_word(
             data, i,
             "expected rising wavelengths > 0, got " + format_number(um) + " after " + format_number(previous_um));
+      if (i == 0 && um >= longest_plausible_first_um)
+        return refuse_word(
+            data, i,
+            "expected wavelengths in micrometres, got " + format_number(um) + " as the shortest: are they nanometres?");
       previous_um = um;
       for (std::size_t j = i + 1; j < i + width; ++j)
         if (!((*values)[j] >= 0))

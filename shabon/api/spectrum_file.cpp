@@ -24,6 +24,8 @@ constexpr double shortest_plausible_last_nm = 30;
 // No table in micrometres begins so far in the infrared; one in nm does not begin before.
 constexpr double longest_plausible_first_um = 100;
 // Noise takes shares beyond 0..1, but not as far as this.
+// More say no more about a film, and a search would take minutes.
+constexpr std::size_t most_rows = 20'000;
 constexpr double least_share = -0.5, most_share = 1.5;
 
 struct Name {
@@ -256,6 +258,11 @@ Result<desk::MeasuredSpectrum> read_spectrum_file(const std::filesystem::path& p
                                                   const SpectrumFileOptions& options) {
   const Result<io::CsvTable> table = read_table(path);
   if (!table) return table.errors();
+  if (table->rows.size() > most_rows)
+    return Diagnostics{io::diagnostic_at(*table, table->rows[most_rows], 0,
+                                         "expected at most " + std::to_string(most_rows) + " rows, got " +
+                                             std::to_string(table->rows.size()) +
+                                             ": means of neighbouring rows say as much about a film")};
   const Result<Columns> columns = columns_of(*table, options);
   if (!columns) return columns.errors();
 

@@ -21,7 +21,7 @@ struct SpectrumFileOptions {
 // there too. Without a header: wavelength in nm, and the share that `columns` names or else R. Wavelengths in any order
 // and at any spacing. Where `;` or tabs separate the first line, they do so everywhere, and a comma is a decimal one.
 // Errors: Failure::file when it cannot be read, Failure::content with the place of what is wrong, such as a share above
-// 1.5 that is not said to be in percent.
+// 1.5 that is not said to be in percent, or more than 20 000 rows.
 Result<desk::MeasuredSpectrum> read_spectrum_file(const std::filesystem::path& path,
                                                   const SpectrumFileOptions& options = {});
 

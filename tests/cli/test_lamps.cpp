@@ -86,6 +86,21 @@ TEST(LampFiles, TellWhereTheyWereTakenAsZero) {
   EXPECT_NEAR(power[1] / power[2], 2 / 2.5, 1e-12);
 }
 
+// As spreadsheets write them, and in micrometres.
+TEST(LampFiles, AreReadInTheirDialects) {
+  const TemporaryFolder folder;
+  const auto powers_of = [&](const char* text) {
+    folder.write("a.csv", text);
+    const Outcome outcome = run({"lamps", "file:a.csv", "--wavelengths", "450,600", "--format", "csv"}, in(folder));
+    EXPECT_EQ(outcome.exit_code, 0) << text << outcome.err;
+    return outcome.exit_code == 0 ? column(*io::parse_csv(outcome.out, "out"), "power") : std::vector<double>();
+  };
+  const std::vector<double> plain = powers_of("wavelength_nm,power\n400,1.5\n500,3\n700,2.25\n");
+  EXPECT_EQ(powers_of("wavelength_nm;power\n400;1,5\n500;3\n700;2,25\n"), plain);
+  EXPECT_EQ(powers_of("400,0\t1,5\n500,0\t3\n700,0\t2,25\n"), plain);
+  EXPECT_EQ(powers_of("wavelength_um,power\n0.4,1.5\n0.5,3\n0.7,2.25\n"), plain);
+}
+
 TEST(LampFiles, ThatAreWrongAreToldAtTheirPlace) {
   const TemporaryFolder folder;
   const struct {
@@ -96,8 +111,10 @@ TEST(LampFiles, ThatAreWrongAreToldAtTheirPlace) {
       {"0,1\n300,1\n", "bad.csv:1:1: error: expected a wavelength > 0 nm"},
       {"wavelength_nm,power\n400,1\n500,-2\n", "bad.csv:3:5: error: expected a power >= 0"},
       {"0.4,1\n0.7,1\n", "bad.csv: error: expected wavelengths in nm; the last one is 0.7: are they micrometres?"},
-      {"nm,x,y\n400,1,1\n", "bad.csv: error: expected the columns wavelength_nm and power"},
-      {"400,1,1\n500,1,1\n", "bad.csv: error: expected the columns wavelength_nm and power"},
+      {"# mine\nwavelength_nm;power\n400;1,5\n500;x\n", "bad.csv:4:5: error: "},
+      {"# mine\nnm,x,y\n400,1,1\n", "bad.csv:2:1: error: expected the columns wavelength_nm"},
+      {"nm,x,y\n400,1,1\n", "bad.csv:1:1: error: expected the columns wavelength_nm (or wavelength_um) and power"},
+      {"400,1,1\n500,1,1\n", "bad.csv:1:1: error: expected the columns wavelength_nm (or wavelength_um) and power"},
       {"400,0\n500,0\n", "bad.csv: error: the lamp gives no light between 360 and 830 nm"},
       {"900,1\n950,1\n", "bad.csv: error: the lamp gives no light between 360 and 830 nm"},
       {"400,1\n", "bad.csv: error: expected at least two samples, got 1"},

@@ -360,6 +360,14 @@ TEST(Thickness, FindsIncoherentLayers) {
   EXPECT_NE(measured.out.find("2500000"), std::string::npos) << measured.out;
 }
 
+TEST(Thickness, TellsOfSharesThatNoFilmHas) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", "nm,R,angle_deg\n400,-0.3,0\n500,0.2,0\n600,1.3,0\n");
+  const Outcome outcome = run({"thickness", oxide, "--spectrum", "a.csv"}, in_folder(folder));
+  EXPECT_NE(outcome.err.find("a share of -0.3, below 0"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("a share of 1.3, above 1"), std::string::npos) << outcome.err;
+}
+
 TEST(Thickness, TellsWhatLightIntoAnAbsorbingMediumIs) {
   const Outcome outcome = run({"thickness", "air | TiO2 ? | Ti", "--color", "#808080", "--transmitted"});
   EXPECT_NE(outcome.err.find("Ti absorbs: transmitted is the light that enters it"), std::string::npos) << outcome.err;

@@ -108,6 +108,8 @@ TEST(NkYaml, FormulaForNAndTableForK) {
 TEST(NkYaml, ProblemsHaveAPlace) {
   const NkFolder folder;
   const BrokenFile broken[] = {
+      {"DATA:\n  - type: tabulated n\n    data: |\n      400 1.50\n      700 1.49\n", 4, 7,
+       "expected wavelengths in micrometres, got 400 as the shortest: are they nanometres?"},
       {"a: 1\n", 1, 1, "expected a list DATA as in a file of refractiveindex.info, got none"},
       {"[1, 2]\n", 1, 1, "expected a list DATA"},
       {"DATA: 3\n", 1, 7, "expected a list DATA as in a file of refractiveindex.info, got "},

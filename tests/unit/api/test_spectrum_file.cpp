@@ -101,6 +101,10 @@ TEST(SpectrumFile, ProblemsHaveAPlace) {
     const std::string said = shown(read(text));
     EXPECT_NE(said.find(message), std::string::npos) << text << said;
   }
+  std::string huge = "nm,R\n";
+  for (int i = 0; i < 20'001; ++i) huge += std::to_string(400 + i) + ",0.4\n";
+  EXPECT_NE(shown(read(huge.c_str())).find("a.csv:20002:1: error: expected at most 20000 rows, got 20001"),
+            std::string::npos);
   EXPECT_NE(shown(read("nm,R\n400,0.4\n", {{Quantity::T}, false, 0})).find("R"), std::string::npos);
   EXPECT_NE(shown(read("nm,R,T\n400,0.4,0.1\n", {{Quantity::R, Quantity::T_s}, false, 0}))
                 .find("expected a column T_s, got none"),
