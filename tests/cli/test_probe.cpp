@@ -217,5 +217,22 @@ TEST_F(Probe, ReportsAFullStandardOutput) {
   EXPECT_EQ(probe({"even.yaml", "--pixel", "0", "0"}).exit_code, 4);
 }
 
+// The library's glass absorbs by a k of about 1e-8: as an outer medium it counts as clear.
+TEST_F(Probe, ScenesMayLieInGlass) {
+  folder.write("glass.yaml", R"(shabon: 1
+image: {width: 21, height: 11}
+environment: {constant: {illuminant: A, scale: 0.2}}
+objects:
+  - bubble: {film: {stack: "glass | water 400nm | glass"}}
+)");
+  const std::vector<double> inside = column({"glass.yaml", "--pixel", "10", "5", "--format", "csv"}, "radiance"),
+                            none = column({"even.yaml", "--pixel", "0", "0", "--format", "csv"}, "radiance");
+  ASSERT_EQ(inside.size(), none.size());
+  for (std::size_t i = 0; i < none.size(); ++i) EXPECT_NEAR(inside[i] / none[i], 1, 1e-6) << i;
+  const Outcome absorbing = probe(
+      {"glass.yaml", "--set", "objects[0].bubble.film.stack=1.5+1e-4i | water 400nm | 1.5", "--pixel", "10", "5"});
+  EXPECT_EQ(absorbing.exit_code, 3) << absorbing.err;
+}
+
 }  // namespace
 }  // namespace shabon::test
