@@ -194,7 +194,7 @@ const std::vector<Refusal> refusals = {
     {{"even.yaml", "--ray", "0", "0", "5", "1e200", "0", "1e200"}, 0, ""},
     {{"even.yaml", "--pixel", "0", "0", "--wavelengths", "300:400:10"}, 2, "from 360 to 830 nm"},
     {{"even.yaml", "--pixel", "0", "0", "--format", "svg"}, 2, "unknown value 'svg'"},
-    {{"even.yaml", "--pixel", "0", "0", "--samples", "3"}, 2, "unknown option '--samples'"},
+    {{"even.yaml", "--pixel", "0", "0", "--tiles", "3"}, 2, "unknown option '--tiles'"},
     {{"missing.yaml", "--pixel", "0", "0"}, 4, "missing.yaml"},
     {{"even.yaml", "--pixel", "0", "0", "--set", "objects[0].bubble.radius=0"}, 3, "radius"},
 };
