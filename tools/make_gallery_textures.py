@@ -106,7 +106,7 @@ def stones(size, seed):
                     elif d < second:
                         second = d
             edge = smooth(0.02, 0.22, second - best[0])
-            row.append(0.12 + edge * (0.05 + 0.30 * best[1] ** 2) + 0.03 * fine[j][i])
+            row.append(0.10 + edge * (0.05 + 0.20 * best[1] ** 2) + 0.03 * fine[j][i])
         rows.append(row)
     return rows
 
