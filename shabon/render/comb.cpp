@@ -158,6 +158,7 @@ std::vector<Comb> wavelength_combs(const color::Observer& observer, std::span<co
       for (std::size_t c = 0; c < 3; ++c)
         comb.weight[c][i] = width_nm[i] * at_wavelength(responses[c], comb.wavelength_nm[i]);
     }
+    comb.plain_weight = comb.weight;
     std::vector<Lanes> lamp_lanes(lamps.size());
     for (std::size_t a = 0; a < lamps.size(); ++a)
       for (int i = 0; i < lane_count; ++i) lamp_lanes[a][i] = at_wavelength(lamps[a], comb.wavelength_nm[i]);

@@ -23,6 +23,8 @@ inline constexpr std::size_t most_exact_lamps = 6;
 struct Comb {
   std::array<double, lane_count> wavelength_nm;
   std::array<std::array<double, lane_count>, 3> weight;  // X = sum over lanes of weight[0] * radiance
+  // The same without the correction, for light of which only one lane is left.
+  std::array<std::array<double, lane_count>, 3> plain_weight;
 };
 
 // Linear between the 1 nm values, the end value beyond the ends.

@@ -78,7 +78,10 @@ SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey,
     CombTable table;
     table.inverse_wavelength_per_nm = LanesD(1.0) / LanesD::load(comb.wavelength_nm.data());
     table.medium_n_squared = per_wavelength(comb, [&](double nm) { return std::norm(scene.medium.index(nm)); });
-    for (std::size_t c = 0; c < 3; ++c) table.weight[c] = math::convert<float>(LanesD::load(comb.weight[c].data()));
+    for (std::size_t c = 0; c < 3; ++c) {
+      table.weight[c] = math::convert<float>(LanesD::load(comb.weight[c].data()));
+      table.plain_weight[c] = math::convert<float>(LanesD::load(comb.plain_weight[c].data()));
+    }
     combs.push_back(table);
     for (const color::Spectrum& channel : scene.environment.channels)
       channels.push_back(

@@ -38,7 +38,7 @@ struct FilmTable {
 struct CombTable {
   LanesD inverse_wavelength_per_nm;
   LanesD medium_n_squared;
-  Lanes weight[3];  // observer
+  Lanes weight[3], plain_weight[3];  // observer, as in Comb
 };
 
 struct SceneTables {

@@ -41,7 +41,7 @@ Sums sums_of(const ScatteringTables& tables, WalkStart start, std::size_t comb, 
     for (std::size_t sample = 0; sample < each; ++sample) {
       start.sample = static_cast<std::uint32_t>(sample);
       const WalkLight light = walk.follow(start, direct);
-      Lanes radiance = light.radiance;
+      Lanes radiance = light.radiance + light.alone;
       if (light.direct)
         for (std::size_t k = 0; k < direct.size(); ++k)
           radiance += tables.films.channels[comb * direct.size() + k] *

@@ -46,7 +46,8 @@ void ScatteringTile::add(int pixel, const WalkStart& start, const WalkLight& lig
     return;
   }
   const CombTable& comb = tables_.films.combs[start.comb];
-  for (std::size_t c = 0; c < 3; ++c) sum[c] += math::sum(light.radiance * comb.weight[c]);
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] += math::sum(light.radiance * comb.weight[c] + light.alone * comb.plain_weight[c]);
 }
 
 void ScatteringTile::add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end) {

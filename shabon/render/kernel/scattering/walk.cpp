@@ -66,7 +66,7 @@ void Walk::step(Ray& ray) {
       const double lamp = tables_.lamps.pdf_object(ray.scattered_at, object, ray.direction, reach);
       weight = ray.density / (ray.density + lamp);
     }
-    add(ray, lobes_.emitted, weight);
+    add(ray.row.row.q0, lobes_.emitted, weight, ray.one_lane);
   }
   if (lobes_.count == 0) return;
   ++counts_.events;
@@ -95,17 +95,17 @@ void Walk::leave(const Ray& ray) {
     const double lamp = tables_.lamps.pdf_infinity(ray.scattered_at, ray.direction);
     weight = ray.density / (ray.density + lamp);
   }
-  add(ray, radiance, weight);
+  add(ray.row.row.q0, radiance, weight, ray.one_lane);
 }
 
-void Walk::add(const Ray& ray, const Lanes& radiance, double weight) {
-  const Lanes arriving = ray.row.row.q0 * radiance * Lanes(static_cast<float>(weight));
+void Walk::add(const Lanes& q0, const Lanes& radiance, double weight, bool alone) {
+  const Lanes arriving = q0 * radiance * Lanes(static_cast<float>(weight));
   const Lanes nothing = arriving - arriving;  // 0 unless infinite or NaN
   if (math::bits(nothing == Lanes(0.0f)) != (1u << lane_count) - 1) {
     ++counts_.dropped;
     return;
   }
-  light_.radiance += arriving;
+  (alone ? light_.alone : light_.radiance) += arriving;
 }
 
 // What is lost inside an absorbing solid between two surfaces.

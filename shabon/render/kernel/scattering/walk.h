@@ -29,6 +29,7 @@ struct WalkCounts {
 // What came back.
 struct WalkLight {
   Lanes radiance{0.0f};
+  Lanes alone{0.0f};  // of paths of which only the hero's wavelength is left
   bool finite = true;
   // Light at infinity that was met before any surface: per channel, it has the same colour in every comb.
   bool direct = false;
@@ -64,7 +65,7 @@ class Walk {
 
   void step(Ray& ray);
   void leave(const Ray& ray);
-  void add(const Ray& ray, const Lanes& radiance, double weight);
+  void add(const Lanes& q0, const Lanes& radiance, double weight, bool alone);
   void estimate(const Ray& ray, const Vertex& vertex);
   void choose(const Ray& ray);
   void meet(const Ray& ray, const Vertex& vertex, int shape);

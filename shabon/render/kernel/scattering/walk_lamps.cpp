@@ -20,6 +20,7 @@ void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFra
   if (!lamp || !(lamp->pdf > 0)) return;
   FramedRow rows[most_lobes];
   int count = 0, space = ray.space;
+  bool alone = ray.one_lane;
   for (int k = 0; k < lobes_.count; ++k) {
     const Lobe& lobe = lobes_.lobe[k];
     if (is_smooth(lobe.kind)) continue;
@@ -27,7 +28,7 @@ void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFra
     if (!(pdf > 0)) continue;
     FramedRow row = scattered(vertex, frame, lobe, ray.row, lamp->direction);
     Lanes factor(static_cast<float>(lobe.share / (lamp->pdf + pdf * lobe.chance)));
-    if (lobe.parts_wavelengths) factor = factor * only_lane(hero_);
+    if (lobe.parts_wavelengths) factor = factor * only_lane(hero_), alone = true;
     row.row = scaled(row.row, factor);
     if (lobe.kind == LobeKind::rough_refracted) space = space_behind(lobe, vertex, ray.space);
     rows[count++] = row;
@@ -43,9 +44,7 @@ void Walk::light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFra
       row = {optics::through(row.in_frame(lamp->direction, crossing.s), crossing.block), crossing.s, true};
     sum += row.row.q0;
   }
-  Ray arrived;
-  arrived.row.row.q0 = sum;
-  add(arrived, radiance, 1);
+  add(sum, radiance, 1, alone);
 }
 
 // Whether nothing but films and the like stand between the surface and the lamp; lists them.
