@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "shabon/api/resources.h"
 #include "shabon/io/file.h"
-#include "shabon/io/image.h"
 #include "shabon/scene/built_in.h"
 #include "shabon/scene/compile.h"
 
@@ -22,9 +22,7 @@ TEST(Gallery, every_scene_compiles) {
     ++scenes;
     const Result<std::string> text = io::read_text_file(entry.path() / "scene.yaml", io::yaml_max_bytes);
     ASSERT_TRUE(text.ok()) << entry.path();
-    Resources resources;
-    resources.picture = [&](const std::string& file) { return io::read_image(entry.path() / file); };
-    const Result<Scene> scene = load_scene(*text, entry.path().string(), {}, resources);
+    const Result<Scene> scene = load_scene(*text, entry.path().string(), {}, api::file_resources(entry.path()));
     EXPECT_TRUE(scene.ok()) << to_text(scene.errors());
     EXPECT_TRUE(fs::exists(entry.path() / "README.md")) << entry.path();
   }

@@ -229,6 +229,7 @@ TEST(PacketStack, GuidedLightBehindOpaqueLayers) {
 }
 
 TEST(PacketStack, LightFromTheExitSideSeesTheStackReversed) {
+  constexpr float fused_rounding = 1e-7f;  // of numbers up to 1: about one unit in the last place
   Pcg32 random(11);
   Worst worst;
   for (int k = 0; k < 500; ++k) {
@@ -240,8 +241,9 @@ TEST(PacketStack, LightFromTheExitSideSeesTheStackReversed) {
     const auto c = stack_mueller<lanes>(ahead, 0, {.cos_i = it.cos_i});
     for (int i = 0; i < lanes; ++i) {
       const auto where = [&] { return text_of(it, i); };
-      EXPECT_EQ(a.reflected.a[i], b.reflected.a[i]);
-      EXPECT_EQ(a.reflected.d[i], b.reflected.d[i]);
+      // The same arithmetic; but where the compiler fuses a*b+c it may do so differently at each place of call.
+      EXPECT_NEAR(a.reflected.a[i], b.reflected.a[i], fused_rounding);
+      EXPECT_NEAR(a.reflected.d[i], b.reflected.d[i], fused_rounding);
       worst.see(std::abs(a.transmitted.a[i] - c.transmitted.a[i]), where);
       worst.see(std::abs(a.transmitted.d[i] - c.transmitted.d[i]), where);
     }
