@@ -107,6 +107,9 @@ void add_rest(CoatingTable& table, const scene::NumberTexture& roughness, RestGo
   side.refracts = rest == RestGoes::spread && table.bends();
   const auto from = [&](bool back) {
     side.near_over_far = back ? 1 / mean_ratio(table.index_ratio) : mean_ratio(table.index_ratio);
+    side.each_near_over_far = table.index_ratio;
+    if (back)
+      for (LanesD& row : side.each_near_over_far) row = LanesD(1.0) / row;
     side.powers = [&table, back](std::size_t comb, double cos, double nm) { return table.powers(back, comb, cos, nm); };
     return RestTable(side);
   };

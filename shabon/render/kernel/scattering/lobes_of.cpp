@@ -22,7 +22,11 @@ Mueller film_blocks(const SceneTables& tables, const FilmTable& film, const Vert
   const double q2_squared = film.n_squared - tables.medium_n_squared + q1_squared;
   event.q1_squared[0] = q1_squared, event.q2_squared[0] = q2_squared;
   event.q2[0] = std::sqrt(std::max(0.0, q2_squared));
-  return event_mueller(tables, event, 0, vertex.comb);
+  if (tables.scene.render.interference != optics::Interference::two_beam)
+    return event_mueller(tables, event, 0, vertex.comb);
+  const Powers p = event_powers(tables, event, 0, vertex.comb);  // (13): no polarisation is left
+  const Lanes half(0.5f), zero(0.0f);
+  return {{half * (p.R_s + p.R_p), zero, zero, zero}, {half * (p.T_s + p.T_p), zero, zero, zero}};
 }
 
 // Adds the lobes of one surface; `share` is how much of the spot it covers.

@@ -62,8 +62,10 @@ ProbeResult probe_walks(const scene::Scene& scene, const WalkStart& start, std::
   if (wavelengths_nm.empty()) return result;
   const std::vector<Comb> combs = combs_of(wavelengths_nm);
   const ScatteringTables tables(scene, combs);
+  WalkStart here = start;  // wherever the ray begins
+  if (!here.space) here.space = space_at(tables, start.origin, start.direction);
   std::vector<Sums> sums(combs.size());
-  parallel_for(combs.size(), 0, [&](std::size_t c) { sums[c] = sums_of(tables, start, c, options); });
+  parallel_for(combs.size(), 0, [&](std::size_t c) { sums[c] = sums_of(tables, here, c, options); });
   for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
     const Sums& of = sums[i / lane_count];
     const double mean = of.radiance[i % lane_count] / batches;

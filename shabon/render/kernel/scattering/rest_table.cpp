@@ -82,6 +82,36 @@ Scattered sums(const FacetShares& shares, const Lanes* R, const Lanes* T) {
 
 }  // namespace
 
+// [(ratio * alphas + alpha) * cosines + cosine]; the mean ratio comes first, then, where wavelengths differ, evenly
+// spaced ones from the least to the most.
+struct RestTable::Shares {
+  std::vector<FacetShares> shares;
+  Nodes ratio;
+  std::size_t rows = 0;  // of one ratio
+
+  explicit Shares(const Side& side) : ratio(ratios_of(side)) {
+    const auto alphas = static_cast<std::size_t>(side.alpha.count), cosines = static_cast<std::size_t>(cosine_nodes);
+    rows = alphas * cosines;
+    shares.resize(rows * (1 + static_cast<std::size_t>(ratio.count)));
+    parallel_for(shares.size(), 0, [&](std::size_t i) {
+      const double x = static_cast<double>(i % cosines) / (cosine_nodes - 1);
+      const auto node = static_cast<int>(i / rows);
+      shares[i] = facet_shares(std::max(least_cosine, x * x), side.alpha.at(static_cast<int>(i % rows / cosines)),
+                               node == 0 ? side.near_over_far : ratio.at(node - 1));
+    });
+  }
+
+  // No nodes where all wavelengths are bent alike, or some towards the normal and some away from it: hardly at all.
+  static Nodes ratios_of(const Side& side) {
+    constexpr int nodes = 3;  // glasses spread over a few per cent
+    double least = side.near_over_far, most = side.near_over_far;
+    for (const LanesD& row : side.each_near_over_far)
+      for (int i = 0; i < lane_count; ++i) least = std::min(least, row[i]), most = std::max(most, row[i]);
+    if (!side.refracts || most - least < 1e-6 * most || (least <= 1 && most > 1)) return {};
+    return {least, most, nodes};
+  }
+};
+
 RestTable::RestTable(const Side& side)
     : alpha_(side.alpha),
       thickness_nm_(side.thickness_nm),
@@ -89,12 +119,7 @@ RestTable::RestTable(const Side& side)
       chooses_(side.refracts && side.near_over_far > 1),
       combs_(side.combs) {
   const auto alphas = static_cast<std::size_t>(alpha_.count), cosines = static_cast<std::size_t>(cosine_nodes);
-  std::vector<FacetShares> shares(alphas * cosines);
-  parallel_for(shares.size(), 0, [&](std::size_t i) {
-    const double x = static_cast<double>(i % cosines) / (cosine_nodes - 1);
-    shares[i] =
-        facet_shares(std::max(least_cosine, x * x), alpha_.at(static_cast<int>(i / cosines)), side.near_over_far);
-  });
+  const Shares shares(side);
   const auto thicknesses = static_cast<std::size_t>(thickness_nm_.count);
   rest_.resize(thicknesses * alphas * combs_ * cosines);
   means_.resize(thicknesses * alphas * combs_);
@@ -112,30 +137,82 @@ RestTable::RestTable(const Side& side)
   facets_.resize(thicknesses * facet_nodes);
 }
 
-// (61) and (62): what the film absorbs, or lets through, of light that meets further facets is taken from its means.
-void RestTable::fill(const Side& side, const std::vector<FacetShares>& shares, std::size_t thickness,
-                     std::size_t comb) {
-  static const std::vector<float> over_rest = diffuse_weights(cosine_nodes);
-  const FacetCosines cosines(side.near_over_far);
-  const std::vector<float> over_facets = facet_weights(cosines);
+namespace {
+
+// What the facets do at the nodes of their cosines, and its mean over a diffuse field.
+struct FacetPowers {
   Lanes R[facet_nodes], T[facet_nodes];
+  Lanes R_mean{0.0f}, T_mean{0.0f};
+};
+
+// The same nodes for all wavelengths.
+FacetPowers powers_at(const RestTable::Side& side, const FacetCosines& cosines, std::size_t comb, double thickness_nm) {
+  FacetPowers result;
   for (int k = 0; k < facet_nodes; ++k) {
-    const auto both = side.powers(comb, cosines.at(k), thickness_nm_.at(static_cast<int>(thickness)));
-    R[k] = both.reflected, T[k] = both.transmitted;
-    facets_[(thickness * facet_nodes + static_cast<std::size_t>(k)) * combs_ + comb] = mean_of(R[k]);
+    const BoundaryPowers both = side.powers(comb, cosines.at(k), thickness_nm);
+    result.R[k] = both.reflected, result.T[k] = both.transmitted;
   }
-  const Lanes R_mean = weighted(over_facets, R), T_mean = weighted(over_facets, T);
-  const Lanes absorbed = max(Lanes(1.0f) - R_mean - T_mean, Lanes(0.0f));
-  const Lanes kept = min(R_mean + T_mean, Lanes(1.0f)), passed = T_mean / max(T_mean + absorbed, Lanes(1e-20f));
+  const std::vector<float> over_facets = facet_weights(cosines);
+  result.R_mean = weighted(over_facets, result.R), result.T_mean = weighted(over_facets, result.T);
+  return result;
+}
+
+// Each wavelength at the nodes of its own critical angle.
+FacetPowers powers_at_own(const RestTable::Side& side, std::size_t comb, double thickness_nm) {
+  alignas(64) float R[facet_nodes][lane_count], T[facet_nodes][lane_count], means[2][lane_count];
+  for (int i = 0; i < lane_count; ++i) {
+    const FacetPowers own = powers_at(side, FacetCosines(side.each_near_over_far[comb][i]), comb, thickness_nm);
+    for (int k = 0; k < facet_nodes; ++k) R[k][i] = own.R[k][i], T[k][i] = own.T[k][i];
+    means[0][i] = own.R_mean[i], means[1][i] = own.T_mean[i];
+  }
+  FacetPowers result;
+  for (int k = 0; k < facet_nodes; ++k) result.R[k] = Lanes::load(R[k]), result.T[k] = Lanes::load(T[k]);
+  result.R_mean = Lanes::load(means[0]), result.T_mean = Lanes::load(means[1]);
+  return result;
+}
+
+// How much each wavelength takes of what is known at a node of the ratio of the indices.
+Lanes share_of_node(const Nodes& nodes, int node, const LanesD& ratios) {
+  alignas(64) float shares[lane_count];
+  for (int i = 0; i < lane_count; ++i) {
+    const double place = (ratios[i] - nodes.first) / (nodes.last - nodes.first) * (nodes.count - 1);
+    shares[i] = static_cast<float>(std::max(0.0, 1 - std::abs(place - node)));
+  }
+  return Lanes::load(shares);
+}
+
+}  // namespace
+
+// (61) and (62): what the film absorbs, or lets through, of light that meets further facets is taken from its means.
+void RestTable::fill(const Side& side, const Shares& shares, std::size_t thickness, std::size_t comb) {
+  static const std::vector<float> over_rest = diffuse_weights(cosine_nodes);
+  const double nm = thickness_nm_.at(static_cast<int>(thickness));
+  const FacetPowers all = powers_at(side, FacetCosines(side.near_over_far), comb, nm);
+  for (std::size_t k = 0; k < facet_nodes; ++k)
+    facets_[(thickness * facet_nodes + k) * combs_ + comb] = mean_of(all.R[k]);
+  const bool differ = shares.ratio.count > 0;
+  const FacetPowers own = differ ? powers_at_own(side, comb, nm) : all;
+  const Lanes absorbed = max(Lanes(1.0f) - own.R_mean - own.T_mean, Lanes(0.0f));
+  const Lanes kept = min(own.R_mean + own.T_mean, Lanes(1.0f));
+  const Lanes passed = own.T_mean / max(own.T_mean + absorbed, Lanes(1e-20f));
   for (std::size_t a = 0; a < static_cast<std::size_t>(alpha_.count); ++a) {
     const std::size_t first = row(thickness, a, comb) * cosine_nodes;
     Lanes* rest = &rest_[first];
     for (std::size_t c = 0; c < cosine_nodes; ++c) {
-      const Scattered sum = sums(shares[a * cosine_nodes + c], R, T);
+      const std::size_t place = a * cosine_nodes + c;
+      const Scattered sum = sums(shares.shares[place], all.R, all.T);
       rest[c] = side.refracts ? kept * (sum.lost_reflected + sum.lost_refracted)
                               : sum.seen_transmitted + passed * sum.lost_reflected;
       once_[first + c] = {mean_of(sum.seen_reflected - sum.lost_reflected),
                           mean_of(sum.seen_transmitted - sum.lost_refracted), mean_of(sum.seen_reflected)};
+      if (!differ) continue;
+      rest[c] = Lanes(0.0f);
+      for (int node = 0; node < shares.ratio.count; ++node) {
+        const FacetShares& at_node = shares.shares[(static_cast<std::size_t>(node) + 1) * shares.rows + place];
+        const Scattered of_node = sums(at_node, own.R, own.T);
+        rest[c] += share_of_node(shares.ratio, node, side.each_near_over_far[comb]) * kept *
+                   (of_node.lost_reflected + of_node.lost_refracted);
+      }
     }
     means_[row(thickness, a, comb)] = weighted(over_rest, rest);
   }

@@ -34,7 +34,9 @@ class RestTable {
     Nodes alpha, thickness_nm;
     std::size_t combs = 0;
     bool refracts = false;  // the facets bend the light they let through; else all that they do not mirror goes on
-    double near_over_far = 1;
+    double near_over_far = 1;  // mean over the wavelengths
+    // Per comb, where wavelengths differ in it: each has its own critical angle, at which everything changes.
+    std::vector<LanesD> each_near_over_far = {};
     std::function<BoundaryPowers(std::size_t comb, double cos, double thickness_nm)> powers;
   };
 
@@ -69,7 +71,9 @@ class RestTable {
     float below[cosine_nodes];  // the share of sample_cosine below this node
   };
 
-  void fill(const Side& side, const std::vector<FacetShares>& shares, std::size_t thickness, std::size_t comb);
+  struct Shares;  // of facets, for a few ratios of the indices
+
+  void fill(const Side& side, const Shares& shares, std::size_t thickness, std::size_t comb);
   void fill_means(std::size_t node);
   const Means& means_near(double alpha, double thickness_nm) const;
   std::size_t row(std::size_t thickness, std::size_t alpha, std::size_t comb) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shabon/render/kernel/scattering/walk_parts.h"
+#include "shabon/render/kernel/transport.h"
 
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
@@ -70,6 +71,11 @@ void Walk::step(Ray& ray) {
   }
   if (lobes_.count == 0) return;
   ++counts_.events;
+  const bool paper = tables_.scene.render.interference == optics::Interference::two_beam;
+  if (paper && ray.depth >= two_beam_most_events && tables_.shape[static_cast<std::size_t>(shape)].film_count > 0) {
+    ++counts_.cut_paths;
+    return;
+  }
   if (ray.depth >= tables_.scene.render.max_depth) return pass_cut(ray, vertex, shape);
   meet(ray, vertex, shape);
 }
