@@ -18,7 +18,45 @@ constexpr int width = 37, height = 21, samples = 36;  // partly filled tiles; pa
 // Passes that end before `samples`, by the number of samples that every pixel then has.
 constexpr int pass_ends[] = {4, 16, 32};
 
+// Every kind of surface, textures, lamps of all shapes, a lens and a polariser.
+const char* const surfaces = R"(shabon: 1
+metres_per_unit: 0.01
+camera: {position: [0, 1, 6], look_at: [0, 0, 0], vertical_fov_deg: 40, lens_radius: 0.05, focus_distance: 6, polarizer_deg: 30}
+environment: {gradient: {up: {illuminant: D65, scale: 0.5}, down: {illuminant: A, scale: 0.1}}, softboxes: [{direction: [1, 1, 1], half_angle_deg: 9, illuminant: D65, scale: 9}]}
+objects:
+- quad: {position: [0, -1, 0], rotation_deg: [-90, 0, 0], width: 20, height: 20, surface: {glossy: {stack: "air | 1.47 300nm | water", roughness: 0.1, color_map: {file: colours}}}}
+- quad: {position: [-3, 3, 1], rotation_deg: [50, 45, 0], surface: {emitter: {illuminant: LED-B3, scale: 5}}}
+- sphere: {position: [2.2, 1.8, 0], radius: 0.3, surface: {emitter: {illuminant: A, scale: 8}}}
+- sphere: {position: [-1.6, 0, 0], radius: 0.8, surface: {dielectric: {stack: "air | MgF2 99nm | BK7", roughness: 0.1}}}
+- sphere: {position: [0.2, -0.3, -0.5], radius: 0.7, surface: {dielectric: {stack: "air | BK7"}}}
+- cylinder: {position: [1.7, 0, 0], radius: 0.6, height: 1.4, surface: {conductor: {stack: "air | TiO2 60nm | Ti", roughness: 0.2, vary: {layer: 1, thickness: {map: {file: grey, low_nm: 20, high_nm: 150}}}}}}
+- disk: {position: [0, 1.6, 0.5], radius: 0.6, surface: {film: {medium: soap, thickness: {linear: {top_nm: 100, bottom_nm: 700}}}}}
+- quad: {position: [0, 0.2, 1.5], width: 1.5, height: 1, surface: {pane: {stack: "air | MgF2 99nm | BK7 3mm incoherent | air"}}}
+- triangle: {corners: [[-2, -1, 1.5], [-0.6, -1, 1.5], [-1.3, 0.3, 1.2]], surface: {mask: {opacity_map: {file: grey}, surface: {diffuse: {color: 0.7}}}}}
+- quad: {position: [0, 0, -4], width: 9, height: 4, surface: {mix: {amount: 0.4, surfaces: [{diffuse: {color: "#806040"}}, {conductor: {stack: "air | Ag"}}]}}}
+- bubble: {center: [1, 0.4, 1.2], radius: 0.6, film: {medium: soap, thickness: {constant_nm: 400}}}
+)";
+
+scene::Scene scene_of_surfaces() {
+  scene::Resources resources;
+  resources.texture = [](const std::string& file) {
+    scene::TextureFile texture;
+    math::Raster& raster = texture.raster;
+    raster.width = 5, raster.height = 3, raster.channels = file == "grey" ? 1 : 3;
+    for (int i = 0; i < 15 * raster.channels; ++i) raster.values.push_back(float(i * 7 % 11) / 10);
+    texture.whole_numbers = true, texture.bits = 8;
+    return Result<scene::TextureFile>(texture);
+  };
+  const std::vector<std::string> overrides = {"image.width=" + std::to_string(width),
+                                              "image.height=" + std::to_string(height),
+                                              "render.samples=" + std::to_string(samples)};
+  auto scene = scene::load_scene(surfaces, "surfaces", overrides, resources);
+  if (!scene) throw std::invalid_argument(to_text(scene.errors()));
+  return *std::move(scene);
+}
+
 scene::Scene scene_of(const std::string& arrangement) {
+  if (arrangement == "surfaces") return scene_of_surfaces();
   scene::SceneDesc description = scene_of(testing_scenes::arrangement(arrangement), testing_scenes::light("windows"));
   description.image = {width, height};
   description.render.samples = samples;
@@ -58,7 +96,7 @@ int different_pixels(const render::Sensor& a, const render::Sensor& b) {
 }
 
 TEST(SameBits, for_any_number_of_threads) {
-  for (const char* name : {"single", "overlapping", "cluster"}) {
+  for (const char* name : {"single", "overlapping", "cluster", "surfaces"}) {
     const scene::Scene scene = scene_of(name);
     const Outcome one = rendered(scene, 1);
     EXPECT_FALSE(one.report.interrupted);
@@ -75,7 +113,7 @@ TEST(SameBits, for_any_number_of_threads) {
 
 // More than one thread has a part in it, also where Embree, which uses the same pool, holds the scene.
 TEST(Threads, share_the_work) {
-  for (const char* name : {"single", "cluster"}) {
+  for (const char* name : {"single", "cluster", "surfaces"}) {
     const scene::Scene scene = scene_of(name);
     std::set<std::thread::id> at_work;
     render::RenderOptions options;
@@ -89,25 +127,45 @@ TEST(Threads, share_the_work) {
   }
 }
 
+TEST(Surfaces, are_all_in_the_scene) {
+  std::vector<bool> present(std::variant_size_v<scene::Surface>);
+  for (const scene::Surface& surface : scene_of("surfaces").surfaces) present[surface.index()] = true;
+  for (std::size_t i = 0; i < present.size(); ++i) EXPECT_TRUE(present[i]) << "number " << i << " of the list";
+}
+
+// The single path, too.
+TEST(SameBits, of_both_transports) {
+  scene::Scene scene = scene_of("surfaces");
+  const Outcome tree = rendered(scene, 1);
+  scene.render.transport = scene::Transport::path;
+  const Outcome one = rendered(scene, 1), two = rendered(scene, 2);
+  EXPECT_EQ(different_pixels(one.sensor, two.sensor), 0);
+  EXPECT_GT(different_pixels(one.sensor, tree.sensor), width * height / 2);
+}
+
 TEST(SameBits, but_not_for_another_seed) {
-  scene::Scene scene = scene_of("single");
-  const Outcome first = rendered(scene, 1);
-  scene.render.seed = 2;
-  const Outcome second = rendered(scene, 1);
-  // The background is a softbox or plain light: only pixels that see the bubble, or an edge, differ.
-  EXPECT_GT(different_pixels(first.sensor, second.sensor), width * height / 4);
+  for (const char* name : {"single", "surfaces"}) {
+    scene::Scene scene = scene_of(name);
+    const Outcome first = rendered(scene, 1);
+    scene.render.seed = 2;
+    const Outcome second = rendered(scene, 1);
+    // The background is a softbox or plain light: only pixels that see the bubble, or an edge, differ.
+    EXPECT_GT(different_pixels(first.sensor, second.sensor), width * height / 4) << name;
+  }
 }
 
 TEST(SameBits, another_render_adds_to_the_sensor) {
-  const scene::Scene scene = scene_of("single");
-  const Outcome once = rendered(scene, 2);
-  render::Sensor twice(width, height);
-  for (int i = 0; i < 2; ++i) ASSERT_TRUE(render::render(scene, {}, twice).ok());
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      ASSERT_EQ(twice.at(x, y).samples, 2u * samples);
-      ASSERT_NEAR(twice.mean(x, y).y, once.sensor.mean(x, y).y, 1e-12 * once.sensor.mean(x, y).y);
-    }
+  for (const char* name : {"single", "surfaces"}) {
+    const scene::Scene scene = scene_of(name);
+    const Outcome once = rendered(scene, 2);
+    render::Sensor twice(width, height);
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(render::render(scene, {}, twice).ok());
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        ASSERT_EQ(twice.at(x, y).samples, 2u * samples);
+        ASSERT_NEAR(twice.mean(x, y).y, once.sensor.mean(x, y).y, 1e-12 * once.sensor.mean(x, y).y);
+      }
+  }
 }
 
 // Stops when `share` of the work is done; the tile that is being worked on is finished.
@@ -134,8 +192,7 @@ std::vector<Outcome> pass_by_pass(const scene::Scene& scene) {
   return result;
 }
 
-TEST(SameBits, of_what_an_interrupted_render_finished) {
-  const scene::Scene scene = scene_of("overlapping");
+void expect_whole_passes_of(const scene::Scene& scene) {
   const std::vector<Outcome> passes = pass_by_pass(scene);
   for (const int threads : {1, 2, 7}) {
     for (const double share : {0.0, 0.05, 0.3, 0.6, 0.95}) {
@@ -161,6 +218,13 @@ TEST(SameBits, of_what_an_interrupted_render_finished) {
         }
       EXPECT_LE(camera_samples, stopped.report.camera_samples);  // pixels on a rim get more of them for a sample
     }
+  }
+}
+
+TEST(SameBits, of_what_an_interrupted_render_finished) {
+  for (const char* name : {"overlapping", "surfaces"}) {
+    SCOPED_TRACE(name);
+    expect_whole_passes_of(scene_of(name));
   }
 }
 

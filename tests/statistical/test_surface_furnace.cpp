@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "shabon/optics/stack_expression.h"
+#include "shabon/render/comb.h"
+#include "shabon/render/probe.h"
 #include "shabon/render/render.h"
 #include "tests/statistical/surface_cases.h"
 
@@ -75,6 +78,32 @@ TEST_P(Furnace, TreeAndPathAgree) {
   scene.render.samples = 128;
   const Mean path = mean_of(scene, 5);
   EXPECT_LT(std::abs(tree.y - path.y), 5 * std::hypot(tree.error, path.error) + 1e-5) << tree.y << " " << path.y;
+}
+
+// Rough glass bends each wavelength its own way; what its facets lose is made up for at each. Rutile seen off its
+// middle, where paths are trapped inside, at three wavelengths, each by all lanes of a comb.
+TEST(WavelengthFurnace, RoughGlassKeepsItsLightAtEveryWavelength) {
+  scene::Scene scene = testing_surfaces::lit_from_everywhere(1, 1, 1);
+  scene::DielectricSurface rutile;
+  rutile.coating.stack = *optics::parse_stack("air | TiO2-rutile");
+  rutile.roughness.constant = 0.15;
+  scene.surfaces.push_back(rutile);
+  testing_surfaces::add_object(scene, geometry::SphereCap{}, geometry::placement({0, 0, 0}), 0);
+  std::vector<double> nm;
+  for (const double wavelength : {420.0, 550.0, 700.0}) nm.insert(nm.end(), render::lane_count, wavelength);
+  const auto found = render::probe(scene, {{0.8, 0.1, 5}, {0, 0, -1}}, nm, {32768, 1});
+  ASSERT_TRUE(found);
+  for (std::size_t group = 0; group < nm.size(); group += render::lane_count) {
+    double mean = 0, squares = 0;
+    for (std::size_t i = group; i < group + render::lane_count; ++i) {
+      const auto at = static_cast<std::size_t>(nm[i] - color::first_nm);
+      const double light = scene.environment.channels[0][at];
+      mean += found->radiance[i] / light / render::lane_count;
+      squares += std::pow(found->standard_error[i] / light / render::lane_count, 2);
+    }
+    std::printf("%g nm: %.4f +- %.4f\n", nm[group], mean, std::sqrt(squares));
+    EXPECT_NEAR(mean, 1, 0.01 + 4 * std::sqrt(squares)) << nm[group];
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Furnace, ::testing::ValuesIn(testing_surfaces::surface_cases()), [](const auto& tested) {

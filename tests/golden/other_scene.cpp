@@ -1,0 +1,74 @@
+#include "other_scene.h"
+
+#include <memory>
+#include <tuple>
+#include <variant>
+
+namespace shabon::test {
+
+namespace {
+
+// Every thickness, whatever the model: its members in nanometres.
+void scale(film::ThicknessModel& model, double factor) {
+  std::visit(
+      [factor]<class Model>(Model& chosen) {
+        const auto scale_field = [&](const auto& field) {
+          if (field.info.unit == "nm") chosen.*field.member *= factor;
+        };
+        std::apply([&](const auto&... field) { (scale_field(field), ...); }, fields(Of<Model>{}));
+      },
+      model);
+}
+
+void scale(scene::NumberTexture& texture, double factor) {
+  texture.constant *= factor;
+  if (texture.picture.raster == nullptr) return;
+  math::Raster scaled = *texture.picture.raster;
+  for (float& value : scaled.values) value *= static_cast<float>(factor);
+  texture.picture.raster = std::make_shared<const math::Raster>(std::move(scaled));
+}
+
+int scale(std::vector<optics::Layer>& layers, double factor) {
+  int count = 0;
+  for (optics::Layer& layer : layers)
+    if (layer.coherent) layer.thickness_nm *= factor, ++count;
+  return count;
+}
+
+}  // namespace
+
+int scale_layers(scene::Scene& scene, double factor) {
+  int count = 0;
+  for (scene::Film& film : scene.films) {
+    count += scale(film.layers, factor);
+    scale(film.thickness, factor);
+    if (film.thickness_map_nm) scale(*film.thickness_map_nm, factor);
+  }
+  for (scene::Surface& surface : scene.surfaces)
+    std::visit(
+        [&](auto& chosen) {
+          if constexpr (requires { chosen.coating; }) {
+            count += scale(chosen.coating.stack.layers, factor);
+            if (chosen.coating.varied)
+              std::visit([&](auto& thickness) { scale(thickness, factor); }, chosen.coating.varied->thickness_nm);
+          } else if constexpr (requires { chosen.stack; }) {
+            count += scale(chosen.stack.layers, factor);
+          }
+        },
+        surface);
+  return count;
+}
+
+int stop_dispersion(scene::Scene& scene) {
+  int count = 0;
+  for (scene::Surface& surface : scene.surfaces)
+    if (auto* glass = std::get_if<scene::DielectricSurface>(&surface)) {
+      optics::Medium& behind = glass->coating.stack.exit;
+      if (behind.is_constant()) continue;
+      behind = optics::Medium::constant(behind.index(550).real());
+      ++count;
+    }
+  return count;
+}
+
+}  // namespace shabon::test
