@@ -56,7 +56,7 @@ Status run(const Options& options, bench::Report& report) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measures Shabon on this machine; about three minutes. Keep the machine free of other work.");
+  CLI::App app("Measures Shabon on this machine; about eight minutes. Keep the machine free of other work.");
   Options options;
   app.add_flag("--quick", options.quick, "Few repetitions: to see that everything runs");
   app.add_option("--only", options.only, "Some of: optics, desk, render, noise, transports, geometry")
