@@ -10,6 +10,7 @@ namespace shabon::test {
 
 struct Comparison {
   double chi_square = 0;               // mean over pixels and channels of (difference / its standard error)^2
+  double block_chi_square = 0;         // the same of the means over blocks of pixels: small shifts of many pixels
   std::array<double, 3> mean_error{};  // difference of the picture's mean colour, in standard errors
   double typical_noise = 0;            // root mean square of the standard errors, linear sRGB
   double worst = 0;                    // largest |difference| / standard error

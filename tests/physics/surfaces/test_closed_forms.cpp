@@ -71,6 +71,19 @@ TEST(ClosedForms, PlaneFilmUnderAHalfLitSky) {
     }
 }
 
+// A ray that begins inside dark glass, wherever the camera is: from the middle of a ball, to and fro along a diameter.
+TEST(ClosedForms, RaysBeginInTheMediumTheyAreIn) {
+  const scene::Scene scene = scene_of(
+      "metres_per_unit: 0.01\nenvironment: {constant: {illuminant: D65, scale: 1}}\nobjects:\n"
+      "  - sphere: {radius: 1, surface: {dielectric: {stack: \"air | 1.5+2e-6i\"}}}\n");
+  const auto result = probed(scene, {0, 0, 0}, {0.3, 0.2, 1}, false, 256);
+  for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+    const double radius = std::exp(-4 * pi * 2e-6 * 0.01 / (wavelengths_nm[i] * 1e-9)), R = 0.04;
+    const double expected = (1 - R) * radius / (1 - R * radius * radius) * lamp_radiance("D65", wavelengths_nm[i]);
+    EXPECT_NEAR(result.radiance[i], expected, 4 * result.standard_error[i] + 1e-5 * expected) << wavelengths_nm[i];
+  }
+}
+
 // Every smooth boundary, under any coating, mirrors a sphere lamp as the desk says.
 TEST(ClosedForms, SphereLampInASmoothSurface) {
   struct Case {
