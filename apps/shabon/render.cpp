@@ -97,7 +97,7 @@ int run_render(const RenderCommand& command) {
     say("interrupted before anything was finished; nothing is written");
     return interrupt.exit_code();
   }
-  report(render_warnings(*done));
+  report(render_warnings(*done, sensor));
   if (done->interrupted) say(interruption_message(sensor));
   const int code = write_outputs(command, *pictures, *loaded, *done, sensor);
   return code == success && done->interrupted ? interrupt.exit_code() : code;

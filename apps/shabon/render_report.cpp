@@ -40,12 +40,34 @@ std::string stats_json(const LoadedScene& loaded, const render::RenderReport& do
   return json.text();
 }
 
-Diagnostics render_warnings(const render::RenderReport& done) {
-  if (done.dropped_samples == 0) return {};
+namespace {
+
+Diagnostic warning_of(std::string message) {
   Diagnostic warning;
   warning.severity = Severity::warning;
-  warning.message = fmt::format("{} contributions were not finite numbers and were left out", done.dropped_samples);
-  return {warning};
+  warning.message = std::move(message);
+  return warning;
+}
+
+bool is_black(const render::Sensor& sensor) {
+  for (int y = 0; y < sensor.height(); ++y)
+    for (int x = 0; x < sensor.width(); ++x)
+      if (const auto& pixel = sensor.at(x, y); pixel.x != 0 || pixel.y != 0 || pixel.z != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+Diagnostics render_warnings(const render::RenderReport& done, const render::Sensor& sensor) {
+  Diagnostics warnings;
+  if (done.dropped_samples > 0)
+    warnings.push_back(
+        warning_of(fmt::format("{} contributions were not finite numbers and were left out", done.dropped_samples)));
+  if (!done.interrupted && is_black(sensor))
+    warnings.push_back(
+        warning_of("the whole picture is black: no light reaches the camera. Does it stand inside something opaque? Do "
+                   "lamps face away from what they should light, or lie behind it?"));
+  return warnings;
 }
 
 std::string interruption_message(const render::Sensor& sensor) {

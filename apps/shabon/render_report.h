@@ -17,7 +17,8 @@ io::Metadata picture_metadata(const LoadedScene& loaded, const std::vector<std::
 
 std::string stats_json(const LoadedScene& loaded, const render::RenderReport& done);
 
-Diagnostics render_warnings(const render::RenderReport& done);
+// Light that was left out, and a picture without any.
+Diagnostics render_warnings(const render::RenderReport& done, const render::Sensor& sensor);
 
 // What a picture that was stopped early holds.
 std::string interruption_message(const render::Sensor& sensor);

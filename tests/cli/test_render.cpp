@@ -1,6 +1,9 @@
 // render: the pictures it writes, what it refuses, and that nothing is ever half-written.
 #include <gtest/gtest.h>
+
 #include <signal.h>
+
+#include <fstream>
 
 #include "child.h"
 #include "shabon/api/version.h"
@@ -85,6 +88,17 @@ TEST_F(Render, KeepsInThePictureHowItWasMade) {
                                     std::string("samples"), std::string(version()), std::string("camera.up")})
       EXPECT_NE(content.find(text), std::string::npos) << name << " " << text;
   }
+}
+
+TEST_F(Render, SaysSoWhenTheWholePictureIsBlack) {
+  // The only lamp faces away.
+  std::ofstream(folder.path() / "black.yaml")
+      << "shabon: 1\nimage: {width: 8, height: 8}\nrender: {samples: 4}\n"
+         "environment: {constant: {illuminant: D65, scale: 0}}\n"
+         "objects: [{quad: {rotation_deg: [0, 180, 0], surface: {emitter: {}}}}]\n";
+  const Outcome outcome = render({"black.yaml"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("warning: the whole picture is black"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Render, GivesTheSameBitsForAnyNumberOfThreads) {

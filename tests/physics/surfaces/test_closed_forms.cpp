@@ -137,6 +137,43 @@ TEST(ClosedForms, LampsOverACard) {
   }
 }
 
+// The error is honest for every seed, also where the even spread of the walks makes batches agree.
+TEST(ClosedForms, ErrorsAreHonestForEverySeed) {
+  const double d = 3, r = 0.7, expected = r * r / (r * r + d * d);
+  const scene::Scene scene =
+      scene_of(dark + std::string("objects:\n  - quad: {rotation_deg: [-90, 0, 0], width: 9, height: 9, "
+                                  "surface: {diffuse: {color: 0.6}}}\n  - disk: {position: [0, 3, 0], "
+                                  "rotation_deg: [90, 0, 0], radius: 0.7, surface: {mask: {opacity: "
+                                  "1, surface: {emitter: {illuminant: A, scale: 5}}}}}\n"));
+  double squares = 0;
+  constexpr int seeds = 40;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const double nm[] = {550};
+    const auto result = render::probe(scene, {{1, 1, 1}, {-1, -1, -1}, false}, nm, {.samples = 1024, .seed = seed});
+    ASSERT_TRUE(result && result->standard_error[0] > 0);
+    const double light = 0.6 * 5 * lamp_radiance("A", 550);
+    const double z = (result->radiance[0] / light - expected) / (result->standard_error[0] / light);
+    EXPECT_LT(std::abs(z), 6) << seed;
+    squares += z * z;
+  }
+  EXPECT_LT(std::sqrt(squares / seeds), 1.5);
+}
+
+// What fades light inside does so too where the boundary neither bends nor mirrors.
+TEST(ClosedForms, AbsorptionBehindABoundaryOfEqualIndex) {
+  const double k = 1e-7, depth_m = 0.5;
+  const scene::Scene scene = scene_of(
+      "metres_per_unit: 1\nenvironment: {constant: {illuminant: E, scale: 1}}\nobjects:\n"
+      "  - quad: {position: [0, 0, 0], width: 9, height: 9, surface: {dielectric: {stack: \"air | 1+1e-7i\"}}}\n"
+      "  - quad: {position: [0, 0, -0.5], rotation_deg: [0, 180, 0], width: 9, height: 9, surface: {dielectric: "
+      "{stack: "
+      "\"air | 1+1e-7i\"}}}\n");
+  const auto result = probed(scene, {0, 0, 2}, {0, 0, 0}, false, 16);
+  for (std::size_t i = 0; i < wavelengths_nm.size(); ++i)
+    EXPECT_NEAR(result.radiance[i] / lamp_radiance("E", wavelengths_nm[i]),
+                std::exp(-4 * pi * k * depth_m / (wavelengths_nm[i] * 1e-9)), 1e-5);
+}
+
 // A film between lamp and card dims it by T, whether shadow rays or scattered rays find the lamp.
 TEST(ClosedForms, LampThroughAFilm) {
   const std::string card =

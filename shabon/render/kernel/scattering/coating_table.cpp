@@ -128,8 +128,8 @@ std::unique_ptr<CoatingTable> coating_table(const scene::Coating& coating, const
   const bool opaque = rest == RestGoes::nowhere;
   optics::Stack stack = coating.stack;
   const int in_front = space_of(stack.incidence), behind = opaque ? 0 : space_of(stack.exit);
-  stack.incidence = without_absorption(stack.incidence);
-  if (!opaque) stack.exit = without_absorption(stack.exit);
+  stack.incidence = stack.incidence.without_absorption();
+  if (!opaque) stack.exit = stack.exit.without_absorption();
   // Seen from behind an opaque surface is black; its table is never asked.
   const optics::Stack back = opaque ? stack : optics::reversed(stack);
   auto table = std::make_unique<CoatingTable>(

@@ -28,16 +28,6 @@ optics::MuellerBlock<lane_count> block_of(const Terms& t) {
 Term scaled(const Term& term, const Lanes& factor) { return {term.re * factor, term.im * factor}; }
 }  // namespace
 
-// A boundary's own absorption is left out where it only says how light fades behind it.
-optics::Medium without_absorption(const optics::Medium& medium) {
-  if (medium.is_lossless()) return medium;
-  std::vector<optics::IndexSample> rows;
-  for (int nm = color::first_nm; nm <= color::last_nm; ++nm)
-    rows.push_back({static_cast<double>(nm), medium.index(nm).real(), 0});
-  const auto clear = optics::Medium::table(std::move(rows), {medium.name(), {}, {}});
-  return clear ? *clear : medium;
-}
-
 PaneTable::PaneTable(const optics::Stack& stack, const std::vector<Comb>& combs) {
   std::vector<double> wavelengths_nm;
   for (const Comb& comb : combs)
@@ -63,7 +53,7 @@ PaneTable::PaneTable(const optics::Stack& stack, const std::vector<Comb>& combs)
       group.layers.push_back(layer);
       continue;
     }
-    const optics::Medium clear = without_absorption(layer.medium);
+    const optics::Medium clear = layer.medium.without_absorption();  // it only fades light behind the boundary
     close_group(clear);
     Slab slab{layer.thickness_nm, {}, ratios(clear), !layer.medium.is_lossless()};
     for (const Comb& comb : combs) {

@@ -11,9 +11,6 @@
 namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
-// The same index without its absorption: of a boundary whose far medium only fades the light on its way.
-optics::Medium without_absorption(const optics::Medium& medium);
-
 struct PaneTable {
   // The outer media are equal and lossless.
   PaneTable(const optics::Stack& stack, const std::vector<Comb>& combs);

@@ -191,7 +191,7 @@ void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int
   next.origin = vertex.at.position;
   next.from = shape;
   next.film_slot = lobe.film_slot;
-  if (lobe.kind == LobeKind::refracted) next.space = space_behind(lobe, vertex, ray.space);
+  if (lobe.kind != LobeKind::mirror) next.space = space_behind(lobe, vertex, ray.space);
   if (lobe.kind != LobeKind::straight) next.shares_lamps = false;
   next.by_chance = ray.by_chance || lobe.chance < 1;
   push(next, key, ray.by_chance ? least_carried_after_chance : 0);

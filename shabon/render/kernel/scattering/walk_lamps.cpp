@@ -88,7 +88,8 @@ bool Walk::reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp
     crossings_.push_back(crossing);
     slot = -1;
     for (int k = 0; k < lobes_on_the_way_.count; ++k)
-      if (lobes_on_the_way_.lobe[k].kind == LobeKind::straight) slot = lobes_on_the_way_.lobe[k].film_slot;
+      if (const Lobe& lobe = lobes_on_the_way_.lobe[k]; lobe.kind == LobeKind::straight)
+        slot = lobe.film_slot, space = space_behind(lobe, on_the_way, space);
     origin = on_the_way.at.position, from = shape;
   }
   return false;
