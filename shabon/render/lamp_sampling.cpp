@@ -7,6 +7,7 @@
 
 #include "shabon/color/observer.h"
 #include "shabon/color/xyz.h"
+#include "shabon/math/normal_to.h"
 #include "shabon/render/base_brightness.h"
 
 namespace shabon::render {
@@ -74,14 +75,10 @@ double solid_angle_of(const scene::WindowSoftbox& softbox) {
   return 4 * std::asin(a * b / std::sqrt((1 + a * a) * (1 + b * b)));
 }
 
-math::Vec3d any_across(const math::Vec3d& axis) {
-  return math::normalize(math::cross(axis, std::abs(axis.x) < 0.5 ? math::Vec3d{1, 0, 0} : math::Vec3d{0, 1, 0}));
-}
-
 math::Vec3d sample_softbox(const scene::RoundSoftbox& softbox, double u1, double u2) {
   const double rise = u1 * (1 - softbox.cos_half_angle), cosine = 1 - rise;
   const double sine = std::sqrt(std::max(0.0, rise * (2 - rise))), phi = 2 * pi * u2;
-  const math::Vec3d right = any_across(softbox.axis), up = math::cross(softbox.axis, right);
+  const math::Vec3d right = math::any_normal_to(softbox.axis), up = math::cross(softbox.axis, right);
   return math::normalize(softbox.axis * cosine + right * (sine * std::cos(phi)) + up * (sine * std::sin(phi)));
 }
 

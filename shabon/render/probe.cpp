@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "shabon/base/parallel.h"
+#include "shabon/math/normal_to.h"
 #include "shabon/render/kernel/probe_tree.h"
 #include "shabon/render/kernel/scattering/probe_walks.h"
 
@@ -89,15 +90,11 @@ class Probe {
 
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-Vec3d any_normal(const Vec3d& d) {
-  return math::normalize(math::cross(d, std::abs(d.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
-}
-
 ProbeStart start_of(const scene::Scene& scene, const ProbeRay& ray) {
   ProbeStart start;
   start.origin = ray.origin;
   start.direction = math::normalize(ray.direction);
-  start.s = any_normal(start.direction);
+  start.s = math::any_normal_to(start.direction);
   const auto& camera = scene.camera;
   if (ray.through_camera && camera.polarizer_rad) {
     start.s = camera.polarizer_right(start.direction);

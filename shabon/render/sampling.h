@@ -21,6 +21,15 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return (x & 0x55555555u) << 1 | (x & 0xAAAAAAAAu) >> 1;
 }
 
+// A cheap 32-bit mixer (Wellons 2018, "Prospecting for hash functions").
+constexpr std::uint32_t mixed_bits(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7FEB352Du;
+  x ^= x >> 15;
+  x *= 0x846CA68Bu;
+  return x ^ (x >> 16);
+}
+
 // Nested uniform scrambling of a bit-reversed number.
 constexpr std::uint32_t scrambled_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3D20ADEAu;

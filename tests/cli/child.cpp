@@ -105,4 +105,18 @@ std::string read_all(const fs::path& path) {
   return std::move(text).str();
 }
 
+std::vector<std::string> words(const std::string& line) {
+  std::vector<std::string> all(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '\'')
+      quoted = !quoted;
+    else if (c == ' ' && !quoted)
+      all.emplace_back();
+    else
+      all.back() += c;
+  }
+  return all;
+}
+
 }  // namespace shabon::test

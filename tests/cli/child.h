@@ -46,4 +46,7 @@ class TemporaryFolder {
 
 std::string read_all(const std::filesystem::path& path);
 
+// "a 'b c' d" as a shell takes it apart.
+std::vector<std::string> words(const std::string& line);
+
 }  // namespace shabon::test

@@ -21,21 +21,6 @@ std::string error_of(const std::vector<std::string>& arguments, int exit_code) {
   return outcome.err;
 }
 
-// "a 'b c' d" as a shell takes it apart.
-std::vector<std::string> words(const std::string& line) {
-  std::vector<std::string> all(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '\'')
-      quoted = !quoted;
-    else if (c == ' ' && !quoted)
-      all.emplace_back();
-    else
-      all.back() += c;
-  }
-  return all;
-}
-
 TEST(Compare, TextTellsEveryShortcut) {
   const std::string text = result_of({"compare", film, "--thickness", few});
   for (const desk::Shortcut& shortcut : desk::shortcuts())

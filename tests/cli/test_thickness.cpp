@@ -274,21 +274,6 @@ TEST(Thickness, RefusesWhatItCannotAnswer) {
   }
 }
 
-// "a 'b c' d" as a shell takes it apart.
-std::vector<std::string> words(const std::string& line) {
-  std::vector<std::string> all(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '\'')
-      quoted = !quoted;
-    else if (c == ' ' && !quoted)
-      all.emplace_back();
-    else
-      all.back() += c;
-  }
-  return all;
-}
-
 // Every `$ shabon ...` of the page with what stands below it, up to the next or the end of the block; `$ cat` shows
 // files.
 TEST(Thickness, ThePageShowsWhatIsPrinted) {

@@ -1,5 +1,6 @@
 #include "tests/statistical/surface_cases.h"
 
+#include <cctype>
 #include <numbers>
 
 #include "shabon/color/illuminant.h"
@@ -112,6 +113,13 @@ std::vector<SurfaceCase> surface_cases() {
          return add_surface(s, scene::MaskSurface{a, {0.3, {}}});
        }},
   };
+}
+
+std::string test_name(const SurfaceCase& surface) {
+  std::string name;
+  for (const char c : surface.name)
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  return name;
 }
 
 std::vector<bool> kinds_covered() {

@@ -21,6 +21,9 @@ struct SurfaceCase {
 
 std::vector<SurfaceCase> surface_cases();
 
+// The letters and digits of its name.
+std::string test_name(const SurfaceCase& surface);
+
 // The kinds of scene::Surface that the cases hold, by index.
 std::vector<bool> kinds_covered();
 

@@ -179,12 +179,8 @@ TEST_P(LobesOf, KeepWhatArrives) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LobesOf, ::testing::ValuesIn(testing_surfaces::surface_cases()), [](const auto& tested) {
-  std::string name;
-  for (const char c : tested.param.name)
-    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, LobesOf, ::testing::ValuesIn(testing_surfaces::surface_cases()),
+                         [](const auto& tested) { return testing_surfaces::test_name(tested.param); });
 
 }  // namespace
 }  // namespace shabon

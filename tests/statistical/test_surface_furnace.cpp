@@ -106,12 +106,8 @@ TEST(WavelengthFurnace, RoughGlassKeepsItsLightAtEveryWavelength) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Furnace, ::testing::ValuesIn(testing_surfaces::surface_cases()), [](const auto& tested) {
-  std::string name;
-  for (const char c : tested.param.name)
-    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, Furnace, ::testing::ValuesIn(testing_surfaces::surface_cases()),
+                         [](const auto& tested) { return testing_surfaces::test_name(tested.param); });
 
 }  // namespace
 }  // namespace shabon

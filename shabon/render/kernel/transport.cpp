@@ -18,15 +18,6 @@ constexpr std::size_t generation_size = 256;
 // A branch is never taken to carry less than this, so that rounding cannot make it vanish.
 constexpr float least_estimate = 1e-9f;
 
-// A cheap 32-bit mixer (Wellons 2018, "Prospecting for hash functions"): one number per path and branch.
-std::uint32_t mix(std::uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7FEB352Du;
-  x ^= x >> 15;
-  x *= 0x846CA68Bu;
-  return x ^ (x >> 16);
-}
-
 }  // namespace
 
 void TileTransport::add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end) {
@@ -167,7 +158,7 @@ template <class Write>
 void TileTransport::follow(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane,
                            const Write& write) {
   if (carried == 0) return;
-  const std::uint32_t random = mix(now_.state[block.path[lane]].random + (mirrored ? 1 : 2));
+  const std::uint32_t random = mixed_bits(now_.state[block.path[lane]].random + (mirrored ? 1 : 2));
   float scale = 1;
   if (survives(carried, random, scale)) write(push_child(block, lane, mirrored, plane, carried, random), scale);
 }
@@ -247,7 +238,7 @@ void TileTransport::pass_straight(const EventBlock& block, int lane) {
 bool TileTransport::survives(float& carried, std::uint32_t random, float& scale) const {
   const auto threshold = static_cast<float>(tables_.scene.render.split_threshold);
   if (!(carried < threshold)) return true;
-  if (unit_float(mix(random ^ 0x68BC21EBu)) * threshold >= carried) return false;
+  if (unit_float(mixed_bits(random ^ 0x68BC21EBu)) * threshold >= carried) return false;
   scale = threshold / carried;
   carried = threshold;
   return true;

@@ -1,7 +1,7 @@
 // Directions at a point of a surface, and the Stokes frame of a row as it passes from event to event.
 #pragma once
 
-#include "shabon/math/vec.h"
+#include "shabon/math/normal_to.h"
 #include "shabon/optics/packet/stokes_row.h"
 #include "shabon/render/kernel/lanes.h"
 
@@ -11,15 +11,11 @@ inline namespace SHABON_REGISTERS {
 using Row = optics::StokesRow<lane_count>;
 using Block = optics::MuellerBlock<lane_count>;
 
-inline math::Vec3d any_normal_to(const math::Vec3d& d) {
-  return math::normalize(math::cross(d, std::abs(d.x) < 0.5 ? math::Vec3d{1, 0, 0} : math::Vec3d{0, 1, 0}));
-}
-
-// The s axis of a ray along `direction` on a plane with this normal; at normal incidence any, here the row's own.
-inline math::Vec3d s_axis(const math::Vec3d& direction, const math::Vec3d& normal, const math::Vec3d& old) {
+// The s axis of a ray along `direction` on a plane with this normal; at normal incidence any.
+inline math::Vec3d s_axis(const math::Vec3d& direction, const math::Vec3d& normal) {
   const math::Vec3d s = math::cross(direction, normal);
   const double size = math::length(s);
-  return size > 1e-9 ? s * (1 / size) : old;
+  return size > 1e-9 ? s * (1 / size) : math::any_normal_to(direction);
 }
 
 // A row and the axis that s means in it; unpolarised rows have no use for it.
@@ -54,7 +50,7 @@ struct LocalFrame {
   math::Vec3d x, y, z;
 
   explicit LocalFrame(const math::Vec3d& normal) : z(normal) {
-    x = any_normal_to(normal);
+    x = math::any_normal_to(normal);
     y = math::cross(z, x);
   }
   math::Vec3d local(const math::Vec3d& v) const { return {math::dot(v, x), math::dot(v, y), math::dot(v, z)}; }

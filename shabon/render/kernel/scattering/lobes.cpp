@@ -211,7 +211,7 @@ namespace {
 FramedRow from_facet(const Vertex& vertex, const LocalFrame& frame, const FramedRow& arriving, const math::Vec3d& h,
                      const Block& block, double factor) {
   const math::Vec3d normal = frame.world(h);
-  const math::Vec3d s = s_axis(vertex.direction, normal, any_normal_to(vertex.direction));
+  const math::Vec3d s = s_axis(vertex.direction, normal);
   const Row row = optics::through(arriving.in_frame(vertex.direction, s), block);
   return {scaled(row, Lanes(static_cast<float>(factor))), s, true};
 }
@@ -251,14 +251,12 @@ void add_lost(const Vertex& vertex, const Lobe& lobe, const FramedRow& arriving,
 FramedRow from_embedded(const Vertex& vertex, const Lobe& lobe, const FramedRow& arriving, const math::Vec3d& direction,
                         double cos_i) {
   if (cos_i <= 0) return {unpolarized(Lanes(0.0f)), {}, false};
-  const math::Vec3d s_o = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
+  const math::Vec3d s_o = s_axis(vertex.direction, vertex.normal);
   const Row in = arriving.in_frame(vertex.direction, s_o);
   const Lanes entered = lobe.block.a * in.q0 + lobe.block.b * in.q1;
   const Lanes base = entered * lobe.albedo * Lanes(static_cast<float>(cosine_density(cos_i)));
   const Block out = lobe.coating.entering(vertex.comb, cos_i, lobe.alpha);
-  return {{base * out.a, base * out.b, Lanes(0.0f), Lanes(0.0f)},
-          s_axis(direction, vertex.normal, any_normal_to(direction)),
-          true};
+  return {{base * out.a, base * out.b, Lanes(0.0f), Lanes(0.0f)}, s_axis(direction, vertex.normal), true};
 }
 
 }  // namespace

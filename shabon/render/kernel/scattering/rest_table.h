@@ -33,7 +33,7 @@ class RestTable {
   struct Side {
     Nodes alpha, thickness_nm;
     std::size_t combs = 0;
-    bool refracts = false;  // the facets bend the light they let through; else all that they do not mirror goes on
+    bool refracts = false;     // the facets bend the light they let through; else all that they do not mirror goes on
     double near_over_far = 1;  // mean over the wavelengths
     // Per comb, where wavelengths differ in it: each has its own critical angle, at which everything changes.
     std::vector<LanesD> each_near_over_far = {};

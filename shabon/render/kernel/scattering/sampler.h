@@ -11,14 +11,6 @@ struct SamplePair {
   double first, second;
 };
 
-constexpr std::uint32_t mixed_bits(std::uint32_t x) {  // Wellons 2018, as in transport.cpp
-  x ^= x >> 16;
-  x *= 0x7FEB352Du;
-  x ^= x >> 15;
-  x *= 0x846CA68Bu;
-  return x ^ (x >> 16);
-}
-
 // The pair of sample `index` for a choice that `key` names.
 constexpr SamplePair sample_pair(std::uint32_t index, std::uint32_t key) {
   const std::uint32_t shuffle = mixed_bits(key), first = mixed_bits(key ^ 0x51633E2Du),

@@ -52,12 +52,7 @@ void Walk::step(Ray& ray) {
     shape = hit->shape, distance = hit->distance;
     fade(ray.row.row, ray.space, distance);
   }
-  Vertex vertex;
-  if (ray.film_slot >= 0) {  // the next film on the same spot
-    vertex = vertex_at(tables_, ray.origin - ray.direction, ray.direction, 1, shape, comb_, hero_, ray.one_lane);
-  } else {
-    vertex = vertex_at(tables_, ray.origin, ray.direction, distance, shape, comb_, hero_, ray.one_lane);
-  }
+  const Vertex vertex = vertex_at(tables_, ray.origin, ray.direction, distance, shape, comb_, hero_, ray.one_lane);
   lobes_of(tables_, vertex, shape, ray.film_slot, lobes_);
   if (lobes_.emits) {
     double weight = 1;
@@ -124,7 +119,7 @@ void Walk::fade(Row& row, int space, double distance) const {
 
 // About how much of the row goes on by each lobe.
 void Walk::estimate(const Ray& ray, const Vertex& vertex) {
-  const math::Vec3d s = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
+  const math::Vec3d s = s_axis(vertex.direction, vertex.normal);
   const Row row = ray.row.in_frame(vertex.direction, s);
   for (int k = 0; k < lobes_.count; ++k) {
     Lobe& lobe = lobes_.lobe[k];
@@ -183,7 +178,7 @@ int Walk::space_behind(const Lobe& lobe, const Vertex& vertex, int otherwise) co
 void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int shape, std::uint32_t key) {
   Ray next = ray;
   if (!smooth_direction(vertex, lobe, next.direction)) return;
-  const math::Vec3d s = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
+  const math::Vec3d s = s_axis(vertex.direction, vertex.normal);
   Row row = optics::through(ray.row.in_frame(vertex.direction, s), lobe.block);
   Lanes factor(lobe.share / lobe.chance);
   if (lobe.parts_wavelengths) factor = factor * only_lane(hero_), next.one_lane = true;
@@ -247,7 +242,7 @@ void Walk::pass_cut(const Ray& ray, const Vertex& vertex, int shape) {
       block.b += lobes_.lobe[k].block.b * Lanes(lobes_.lobe[k].share);
     }
   Ray next = ray;
-  const math::Vec3d s = s_axis(vertex.direction, vertex.normal, any_normal_to(vertex.direction));
+  const math::Vec3d s = s_axis(vertex.direction, vertex.normal);
   block.c = block.a, block.d = Lanes(0.0f);
   next.row = {optics::through(ray.row.in_frame(vertex.direction, s), block), s, true};
   next.origin = vertex.at.position, next.from = shape, next.film_slot = -1;

@@ -30,7 +30,6 @@ struct WalkCounts {
 struct WalkLight {
   Lanes radiance{0.0f};
   Lanes alone{0.0f};  // of paths of which only the hero's wavelength is left
-  bool finite = true;
   // Light at infinity that was met before any surface: per channel, it has the same colour in every comb.
   bool direct = false;
   float direct_carried = 0;

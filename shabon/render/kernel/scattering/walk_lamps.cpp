@@ -55,7 +55,6 @@ bool Walk::reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp
   int from = start, slot = -1;
   double left = lamp.distance;
   for (int met = 0; met < most_crossings; ++met) {
-    Vertex on_the_way;
     int shape = from;
     double distance = 0;
     if (slot < 0) {
@@ -67,10 +66,8 @@ bool Walk::reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp
         return true;
       }
       shape = hit->shape, distance = hit->distance;
-      on_the_way = vertex_at(tables_, origin, lamp.direction, distance, shape, comb_, hero_, false);
-    } else {
-      on_the_way = vertex_at(tables_, origin - lamp.direction, lamp.direction, 1, shape, comb_, hero_, false);
     }
+    const Vertex on_the_way = vertex_at(tables_, origin, lamp.direction, distance, shape, comb_, hero_, false);
     Row faded = unpolarized(Lanes(1.0f));
     fade(faded, space, distance);
     passed = passed * faded.q0;
@@ -84,7 +81,7 @@ bool Walk::reach_lamp(const Vertex& vertex, int start, const LampDirection& lamp
     }
     Crossing crossing;
     if (!straight_through(lobes_on_the_way_, crossing.block)) return false;
-    crossing.s = s_axis(lamp.direction, on_the_way.normal, any_normal_to(lamp.direction));
+    crossing.s = s_axis(lamp.direction, on_the_way.normal);
     crossings_.push_back(crossing);
     slot = -1;
     for (int k = 0; k < lobes_on_the_way_.count; ++k)

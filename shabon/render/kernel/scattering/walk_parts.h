@@ -23,11 +23,13 @@ inline Lanes only_lane(int lane) {
   return Lanes::load(values);
 }
 
+// Where a ray meets a shape; with the distance 0 another film on the spot where it stands.
 inline Vertex vertex_at(const ScatteringTables& tables, const math::Vec3d& origin, const math::Vec3d& direction,
                         double distance, int shape, std::size_t comb, int hero, bool one_lane) {
   Vertex vertex;
-  vertex.at =
-      geometry::surface_at(tables.shapes.shapes()[static_cast<std::size_t>(shape)], origin, direction, distance);
+  const double back = distance > 0 ? 0 : 1;
+  vertex.at = geometry::surface_at(tables.shapes.shapes()[static_cast<std::size_t>(shape)], origin - direction * back,
+                                   direction, distance + back);
   vertex.direction = direction;
   const double along = math::dot(direction, vertex.at.normal);
   vertex.from_back = along > 0;
