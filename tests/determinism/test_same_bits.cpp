@@ -120,7 +120,8 @@ TEST(Threads, share_the_work) {
     options.threads = 3;
     options.progress = [&](double) {
       at_work.insert(std::this_thread::get_id());
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets the others have a turn
+      // Until another thread has come, wait long: on a busy machine one may take all tiles before the rest wake.
+      if (at_work.size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(200));
     };
     rendered(scene, options);
     EXPECT_GE(at_work.size(), 2u) << name;
