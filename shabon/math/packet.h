@@ -190,6 +190,19 @@ inline packet<T, N> abs(packet<T, N> a) {
   }
 }
 
+// from[index[0]], from[index[1]] and so on, without a detour through memory.
+template <class P, class T, class Index>
+inline P gathered(const T* from, const Index* index) {
+  if constexpr (is_leaf<P>) {
+    P result;
+    for (int lane = 0; lane < P::size; ++lane) result.v[lane] = from[static_cast<std::size_t>(index[lane])];
+    return result;
+  } else {
+    using Half = decltype(P::lo);
+    return {gathered<Half>(from, index), gathered<Half>(from, index + Half::size)};
+  }
+}
+
 // The lane's truth value as bit `lane`.
 template <class T, int N>
 inline std::uint32_t bits(packet_mask<T, N> mask) {

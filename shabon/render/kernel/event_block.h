@@ -76,20 +76,21 @@ inline void turn_frame(const SceneTables& tables, const Paths& paths, EventBlock
 // Fills the block from `count` paths; `hits` are their indices in the generation.
 inline void event_geometry(const SceneTables& tables, const Paths& paths, const std::uint32_t* hits, int count,
                            const double* distance, const std::int32_t* sphere_of, EventBlock& block) {
-  alignas(64) double o[3][ray_block], d[3][ray_block], c[3][ray_block], t[ray_block], radius[ray_block];
   block.count = count;
   for (int lane = 0; lane < ray_block; ++lane) {
     const std::uint32_t i = hits[lane < count ? lane : 0];
-    const scene::Sphere& sphere = tables.scene.spheres[static_cast<std::size_t>(sphere_of[i])];
     block.path[lane] = i, block.sphere[lane] = sphere_of[i];
-    o[0][lane] = paths.ox[i], o[1][lane] = paths.oy[i], o[2][lane] = paths.oz[i];
-    d[0][lane] = paths.dx[i], d[1][lane] = paths.dy[i], d[2][lane] = paths.dz[i];
-    c[0][lane] = sphere.center.x, c[1][lane] = sphere.center.y, c[2][lane] = sphere.center.z;
-    t[lane] = distance[i], radius[lane] = sphere.radius;
   }
-  const auto origin = detail::load3(o[0], o[1], o[2]), direction = detail::load3(d[0], d[1], d[2]);
-  const auto point = origin + direction * Rays::load(t);
-  const auto normal = (point - detail::load3(c[0], c[1], c[2])) * (Rays(1.0) / Rays::load(radius));
+  const auto of_paths = [&](const auto& numbers) { return math::gathered<Rays>(&numbers[0], block.path); };
+  const math::Vec3<Rays> origin{of_paths(paths.ox), of_paths(paths.oy), of_paths(paths.oz)};
+  const math::Vec3<Rays> direction{of_paths(paths.dx), of_paths(paths.dy), of_paths(paths.dz)};
+  const auto point = origin + direction * of_paths(distance);
+  const auto of_spheres = [&](const std::vector<double>& numbers) {
+    return tables.lone_sphere ? Rays(numbers[0]) : math::gathered<Rays>(&numbers[0], block.sphere);
+  };
+  const SphereTable& table = tables.sphere_table;
+  const math::Vec3<Rays> center{of_spheres(table.x), of_spheres(table.y), of_spheres(table.z)};
+  const auto normal = (point - center) * of_spheres(table.inverse_radius);
   const Rays along = math::dot(direction, normal);
   // Brought back to unit length: a deviation would grow up to 18 times from wall to wall of a bubble.
   const auto turned = direction - normal * (along + along);

@@ -53,5 +53,21 @@ inline void next_walls(const SceneTables& tables, const Paths& paths, double* di
     if (paths.state[i].next_slot >= 0) distance[i] = 0, sphere[i] = paths.state[i].from;
 }
 
+// The same for paths that have met the only sphere there is and are still inside: its chords.
+inline void chords(const SceneTables& tables, const Paths& paths, double* distance, std::int32_t* sphere) {
+  const math::Vec3d c = tables.spheres.spheres()[0].center;
+  const math::Vec3<Rays> center{Rays(c.x), Rays(c.y), Rays(c.z)};
+  for (std::size_t i = 0; i < paths.size(); i += ray_block) {
+    const math::Vec3<Rays> o{Rays::load(&paths.ox[i]), Rays::load(&paths.oy[i]), Rays::load(&paths.oz[i])};
+    const math::Vec3<Rays> d{Rays::load(&paths.dx[i]), Rays::load(&paths.dy[i]), Rays::load(&paths.dz[i])};
+    const Rays middle = math::dot(d, center - o);
+    max(middle + middle, Rays(0.0)).store(distance + i);
+  }
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    sphere[i] = 0;
+    if (paths.state[i].next_slot >= 0) distance[i] = 0;  // the next film on the same spot
+  }
+}
+
 }  // namespace SHABON_REGISTERS
 }  // namespace shabon::render

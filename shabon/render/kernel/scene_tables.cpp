@@ -70,7 +70,14 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, opt
 
 SceneTables::SceneTables(const scene::Scene& of, std::optional<double> grey,
                          const std::optional<std::vector<Comb>>& chosen)
-    : scene(of), spheres(shapes(of)), channel_count(static_cast<int>(of.environment.channels.size())) {
+    : scene(of),
+      spheres(shapes(of)),
+      lone_sphere(of.spheres.size() == 1),
+      channel_count(static_cast<int>(of.environment.channels.size())) {
+  for (const scene::Sphere& sphere : of.spheres) {
+    sphere_table.x.push_back(sphere.center.x), sphere_table.y.push_back(sphere.center.y);
+    sphere_table.z.push_back(sphere.center.z), sphere_table.inverse_radius.push_back(1 / sphere.radius);
+  }
   const color::Observer& observer = color::observer_1931();
   const std::vector<Comb> wavelengths = chosen ? *chosen : wavelength_combs(observer, scene.environment.channels);
   medium_n_squared = std::norm(scene.medium.index(color::first_nm));

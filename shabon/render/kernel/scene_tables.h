@@ -41,6 +41,10 @@ struct CombTable {
   Lanes weight[3], plain_weight[3];  // observer, as in Comb
 };
 
+struct SphereTable {
+  std::vector<double> x, y, z, inverse_radius;
+};
+
 struct SceneTables {
   // `combs`: wavelengths other than those of a picture.
   SceneTables(const scene::Scene& scene, std::optional<double> grey_reflectance,
@@ -48,6 +52,8 @@ struct SceneTables {
 
   const scene::Scene& scene;
   geometry::SphereSet spheres;
+  SphereTable sphere_table;
+  bool lone_sphere = false;     // there is no other
   double medium_n_squared = 1;  // where the medium is constant
   std::vector<FilmTable> films;
   std::vector<CombTable> combs;

@@ -23,7 +23,10 @@ inline constexpr int two_beam_most_events = 16;
 class TileTransport {
  public:
   explicit TileTransport(const SceneTables& tables)
-      : tables_(tables), start_(tables.scene), rims_(rim_cones(tables.scene)) {}
+      : tables_(tables),
+        start_(tables.scene),
+        rims_(rim_cones(tables.scene)),
+        threshold_(static_cast<float>(tables.scene.render.split_threshold)) {}
 
   // Adds the samples [first, end) of every pixel of the tile to its sums.
   void add_samples(const Tile& tile, std::uint32_t first, std::uint32_t end);
@@ -36,29 +39,34 @@ class TileTransport {
  private:
   void add_pixels(const Tile& tile, const PixelSeeds* seeds, const std::uint16_t* pixels, int count,
                   std::uint32_t first, std::uint32_t end, float weight);
-  void trace_generation();
-  void sort_out(std::size_t count);
-  void add_environment(const std::uint32_t* leaves, int count);
-  void add_camera_leaf(std::size_t path, const LeafRays* coefficients, int lane);
-  void add_leaf(std::size_t path, const LeafRays* coefficients, int lane);
+  void trace_generation(bool of_camera);
+  void sort_out(bool of_camera);
+  void add_background();
+  void add_leaves();
+  std::span<const LeafRays> coefficients_of(const Leaves& leaves, std::size_t first);
   void film_event(const EventBlock& block, int lane);
-  template <class Write>
-  void follow(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane, const Write& write);
+  template <class AnyRow>
+  void follow(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane, const AnyRow& row);
+  template <class AnyRow>
+  void send(const EventBlock& block, int lane, bool goes_on, float carried, bool mirrored, std::int32_t plane,
+            std::uint32_t random, const AnyRow& row);
+  bool leaves_for_good(const EventBlock& block, int lane, bool mirrored) const;
+  PathState state_after(const EventBlock& block, int lane, float carried, bool mirrored, std::int32_t plane,
+                        std::uint32_t random) const;
   void split_in_plane(const EventBlock& block, int lane, bool paper);
   void split_general(const EventBlock& block, int lane);
   void pass_straight(const EventBlock& block, int lane);
-  bool survives(float& carried, std::uint32_t random, float& scale) const;
-  std::size_t push_child(const EventBlock& block, int lane, bool mirrored, std::int32_t plane, float carried,
-                         std::uint32_t random);
 
   const SceneTables& tables_;
   const CameraStart start_;
   const std::vector<RimCone> rims_;
+  const float threshold_;
   TransportCounts counts_;
   Paths now_, next_;
   std::vector<double> distance_;
   std::vector<std::int32_t> sphere_;
-  std::vector<std::uint32_t> hits_, leaves_;
+  std::vector<std::uint32_t> hits_, misses_;
+  Leaves background_, leaves_;
   std::vector<LeafRays> coefficients_;
   Lanes sums_[tile_pixels][3];
   float direct_[tile_pixels][3];

@@ -111,6 +111,14 @@ TYPED_TEST(Packet, LoadsFromAnyLane) {
   this->expect_lanes(TestFixture::Pack::load(shifted.data() + 1), [&](std::size_t i) { return a[i]; });
 }
 
+TYPED_TEST(Packet, GathersFromAnyPlaces) {
+  const auto numbers = this->numbers();
+  int places[TestFixture::size];
+  for (int lane = 0; lane < TestFixture::size; ++lane) places[lane] = (lane * 5 + 3) % TestFixture::size;
+  const auto pack = gathered<typename TestFixture::Pack>(numbers.data(), places);
+  for (int lane = 0; lane < TestFixture::size; ++lane) EXPECT_EQ(pack[lane], numbers[std::size_t(places[lane])]);
+}
+
 TYPED_TEST(Packet, CalculatesLaneByLane) {
   using T = typename TestFixture::Number;
   using P = typename TestFixture::Pack;
