@@ -16,16 +16,26 @@ namespace {
 constexpr int surfaces_before_roulette = 3;
 constexpr float least_carried_by_scattering = 0.25f, least_carried_after_chance = 0.005f;
 
+// A tree that has met so many surfaces raises its threshold by as much as it grows beyond them: what it costs then
+// grows as the square root. Nested solids halve their time per squared error by it; other scenes stay below.
+constexpr float events_before_thrift = 64;
+
+// The share of paths that goes on at each event after max_depth ones, where (27) does not end them.
+constexpr float goes_on_at_depth = 15.0f / 16;
+
 }  // namespace
 
 Walk::Walk(const ScatteringTables& tables)
-    : tables_(tables), coefficients_(static_cast<std::size_t>(tables.films.channel_count)) {}
+    : tables_(tables),
+      coefficients_(static_cast<std::size_t>(tables.films.channel_count)),
+      single_path_(tables.scene.render.transport == scene::Transport::path) {}
 
 WalkLight Walk::follow(const WalkStart& start, std::vector<double>& direct_coefficients) {
   sample_ = start.sample, comb_ = start.comb;
   hero_ =
       static_cast<int>((mixed_bits(start.seed ^ 0x7F4A7C15u) + start.sample + start.sample / comb_count) % lane_count);
   light_ = {};
+  events_before_ = counts_.events;
   rays_.clear();
   Ray first;
   first.origin = start.origin, first.direction = start.direction;
@@ -71,7 +81,7 @@ void Walk::step(Ray& ray) {
     ++counts_.cut_paths;
     return;
   }
-  if (ray.depth >= tables_.scene.render.max_depth) return pass_cut(ray, vertex, shape);
+  if (ray.depth >= tables_.scene.render.max_depth && !outlives_depth(ray, vertex, shape)) return;
   meet(ray, vertex, shape);
 }
 
@@ -130,26 +140,40 @@ void Walk::estimate(const Ray& ray, const Vertex& vertex) {
   }
 }
 
-// The tree follows all lobes until light has scattered, then all smooth ones and one of the others; a single path
-// follows one of all.
-void Walk::choose(const Ray& ray) {
-  const bool tree = tables_.scene.render.transport == scene::Transport::tree;
-  const auto is_drawn = [&](const Lobe& lobe) { return !tree || (ray.by_chance && !is_smooth(lobe.kind)); };
+// Follows one of the lobes that `is_drawn` names, by what they carry; leaves the others as they are.
+template <class IsDrawn>
+void Walk::draw_one(const IsDrawn& is_drawn, double u01) {
   float total = 0;
-  int drawn = -1;
   for (int k = 0; k < lobes_.count; ++k)
     if (is_drawn(lobes_.lobe[k])) total += lobes_.lobe[k].estimate;
-  float u = total > 0 ? static_cast<float>(sample_number(sample_, key_for(ray.key, which_lobe))) * total : 0;
+  float u = static_cast<float>(u01) * total;
+  Lobe* drawn = nullptr;
+  for (int k = 0; k < lobes_.count; ++k) {
+    Lobe& lobe = lobes_.lobe[k];
+    if (!is_drawn(lobe) || lobe.estimate <= 0) continue;
+    lobe.chance = lobe.estimate / total, lobe.followed = false;
+    if (u >= 0) drawn = &lobe;
+    u -= lobe.estimate;
+  }
+  if (drawn != nullptr) drawn->followed = true;
+}
+
+// The tree follows all lobes until light has scattered, then all smooth ones and one of the others; of smooth ones that
+// carry less than the threshold it follows one, in place of (26) for each. A single path follows one of all.
+void Walk::choose(const Ray& ray) {
   for (int k = 0; k < lobes_.count; ++k) {
     Lobe& lobe = lobes_.lobe[k];
     lobe.followed = lobe.estimate > 0;
     lobe.chance = 1;
-    if (!is_drawn(lobe) || lobe.estimate <= 0) continue;
-    lobe.chance = lobe.estimate / total, lobe.followed = false;
-    if (u >= 0) drawn = k;
-    u -= lobe.estimate;
   }
-  if (drawn >= 0) lobes_.lobe[drawn].followed = true;
+  const auto number = [&](std::uint32_t purpose) { return sample_number(sample_, key_for(ray.key, purpose)); };
+  if (single_path_) return draw_one([](const Lobe&) { return true; }, number(which_lobe));
+  const float least = std::max(ray.by_chance ? least_carried_after_chance : 0, threshold());
+  const auto is_small = [&](const Lobe& lobe) { return is_smooth(lobe.kind) && lobe.estimate < least; };
+  const auto is_rough = [](const Lobe& lobe) { return !is_smooth(lobe.kind); };
+  const Lobe *first = lobes_.lobe, *end = first + lobes_.count;
+  if (std::count_if(first, end, is_small) > 1) draw_one(is_small, number(which_small));
+  if (ray.by_chance && std::count_if(first, end, is_rough) > 1) draw_one(is_rough, number(which_lobe));
 }
 
 void Walk::meet(const Ray& ray, const Vertex& vertex, int shape) {
@@ -188,7 +212,7 @@ void Walk::go_smooth(const Ray& ray, const Vertex& vertex, const Lobe& lobe, int
   next.film_slot = lobe.film_slot;
   if (lobe.kind != LobeKind::mirror) next.space = space_behind(lobe, vertex, ray.space);
   if (lobe.kind != LobeKind::straight) next.shares_lamps = false;
-  next.by_chance = ray.by_chance || lobe.chance < 1;
+  next.by_chance = ray.by_chance || (single_path_ && lobe.chance < 1);
   push(next, key, ray.by_chance ? least_carried_after_chance : 0);
 }
 
@@ -215,13 +239,20 @@ void Walk::go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& fram
   push(next, key, ray.by_chance && ray.depth >= surfaces_before_roulette ? least_carried_by_scattering : 0);
 }
 
+// The threshold of (26) for this tree, whose branches are the cheaper the more there were. What was met so far does not
+// depend on the choices that are to come: any such threshold leaves the mean as it is.
+float Walk::threshold() const {
+  const float growth = static_cast<float>(counts_.events - events_before_) / events_before_thrift;
+  return std::min(1.0f, static_cast<float>(tables_.scene.render.split_threshold) * std::max(1.0f, growth));
+}
+
 // Equation (26), with `least` in place of the threshold where that is larger.
 void Walk::push(Ray& ray, std::uint32_t key, float least) {
   ray.key = key;
   ++ray.depth;
   ray.carried = mean(ray.row.row.q0);
   if (!(ray.carried > 0)) return;
-  const float threshold = std::max(least, static_cast<float>(tables_.scene.render.split_threshold));
+  const float threshold = std::max(least, this->threshold());
   if (ray.carried < threshold) {
     const auto u = static_cast<float>(sample_number(sample_, key_for(key, roulette)));
     if (u * threshold >= ray.carried) return;
@@ -231,16 +262,25 @@ void Walk::push(Ray& ray, std::uint32_t key, float least) {
   rays_.push_back(ray);
 }
 
-// Equation (27) for what lets light through straight; other surfaces end the path.
-void Walk::pass_cut(const Ray& ray, const Vertex& vertex, int shape) {
-  ++counts_.cut_paths;
+// After max_depth events. What does nothing but mirror and let through straight lets all of it through, (27): false,
+// the rest is done. Elsewhere, as inside solids that trap light, the path goes on by roulette.
+bool Walk::outlives_depth(Ray& ray, const Vertex& vertex, int shape) {
+  const auto is_plain = [](const Lobe& lobe) {
+    return lobe.kind == LobeKind::mirror || lobe.kind == LobeKind::straight;
+  };
   Block block;
-  if (!straight_through(lobes_, block)) return;
-  for (int k = 0; k < lobes_.count; ++k)
-    if (lobes_.lobe[k].kind == LobeKind::mirror) {
-      block.a += lobes_.lobe[k].block.a * Lanes(lobes_.lobe[k].share);
-      block.b += lobes_.lobe[k].block.b * Lanes(lobes_.lobe[k].share);
-    }
+  if (std::all_of(lobes_.lobe, lobes_.lobe + lobes_.count, is_plain) && straight_through(lobes_, block)) {
+    pass_cut(ray, vertex, shape, block);
+    return false;
+  }
+  if (sample_number(sample_, key_for(ray.key, roulette_at_depth)) >= double{goes_on_at_depth}) return false;
+  ray.row.row = scaled(ray.row.row, Lanes(1 / goes_on_at_depth));
+  ray.carried /= goes_on_at_depth;
+  return true;
+}
+
+void Walk::pass_cut(const Ray& ray, const Vertex& vertex, int shape, Block block) {
+  ++counts_.cut_paths;
   Ray next = ray;
   const math::Vec3d s = s_axis(vertex.direction, vertex.normal);
   block.c = block.a, block.d = Lanes(0.0f);

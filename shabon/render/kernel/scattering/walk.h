@@ -66,6 +66,8 @@ class Walk {
   void leave(const Ray& ray);
   void add(const Lanes& q0, const Lanes& radiance, double weight, bool alone);
   void estimate(const Ray& ray, const Vertex& vertex);
+  template <class IsDrawn>
+  void draw_one(const IsDrawn& is_drawn, double u01);
   void choose(const Ray& ray);
   void meet(const Ray& ray, const Vertex& vertex, int shape);
   void light_from_lamps(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, int shape);
@@ -74,7 +76,9 @@ class Walk {
   void go_rough(const Ray& ray, const Vertex& vertex, const LocalFrame& frame, const Lobe& lobe, int shape,
                 std::uint32_t key);
   void push(Ray& ray, std::uint32_t key, float least);
-  void pass_cut(const Ray& ray, const Vertex& vertex, int shape);
+  float threshold() const;
+  bool outlives_depth(Ray& ray, const Vertex& vertex, int shape);
+  void pass_cut(const Ray& ray, const Vertex& vertex, int shape, Block block);
   int space_behind(const Lobe& lobe, const Vertex& vertex, int otherwise) const;
   Lanes environment(const math::Vec3d& direction);
   void fade(Row& row, int space, double distance) const;
@@ -90,11 +94,13 @@ class Walk {
   std::vector<Ray> rays_;
   std::vector<Crossing> crossings_;
   std::vector<double> coefficients_;
+  bool single_path_ = false;
   Lobes lobes_, lobes_on_the_way_;
   WalkLight light_;
   std::uint32_t sample_ = 0;
   std::size_t comb_ = 0;
   int hero_ = 0;
+  std::uint64_t events_before_ = 0;  // this walk
 };
 
 }  // namespace SHABON_REGISTERS

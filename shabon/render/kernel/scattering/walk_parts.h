@@ -11,7 +11,16 @@ namespace shabon::render {
 inline namespace SHABON_REGISTERS {
 
 // What a choice of a branch is for.
-enum Purpose : std::uint32_t { which_lobe = 1, which_lamp, lamp_direction, lobe_direction, lobe_part, roulette };
+enum Purpose : std::uint32_t {
+  which_lobe = 1,
+  which_lamp,
+  lamp_direction,
+  lobe_direction,
+  lobe_part,
+  roulette,
+  which_small,
+  roulette_at_depth
+};
 
 constexpr std::uint32_t key_for(std::uint32_t branch, std::uint32_t purpose) {
   return mixed_bits(branch + purpose * 0x9E3779B9u);
