@@ -9,13 +9,8 @@
 namespace shabon::film {
 
 // Each model is a plain struct in a file of its own with three functions beside it: about() names it, fields() lists
-// its parameters, thickness_nm() computes it. Scene keys, their checks, documentation and tests follow from this list.
+// its parameters, thickness_nm() computes it (thickness_field.h). Scene keys, their checks, documentation and tests
+// follow from this list.
 using ThicknessModel = std::variant<ConstantThickness, LinearThickness>;
-
-// Thickness in nm in the unit direction `from_centre` of a sphere; Number is double or a packet of it.
-template <class Number>
-Number thickness_nm(const ThicknessModel& model, const math::Vec3<Number>& from_centre) {
-  return std::visit([&](const auto& chosen) { return thickness_nm(chosen, from_centre); }, model);
-}
 
 }  // namespace shabon::film

@@ -181,20 +181,19 @@ void ObjectsCompiler::add_one(const ShapeDesc& shape, const Path& path, int inde
   scene_.objects.push_back({placed(shape), *surface, index});
 }
 
-// A bubble whose films follow pictures is an object like others.
+// Pictures by (u, v) are those by direction on a whole sphere.
 void ObjectsCompiler::keep(Bubble& bubble) {
-  const auto is_map = [](const Film& film) { return film.thickness_map_nm.has_value(); };
-  const bool any_map = std::any_of(bubble.films.begin(), bubble.films.end(), is_map);
-  const int first = static_cast<int>(scene_.films.size()), count = static_cast<int>(bubble.films.size());
-  for (Film& film : bubble.films) scene_.films.push_back(std::move(film));
-  bubble.sphere.first_film = first;
-  bubble.sphere.film_count = count;
-  if (!any_map) return scene_.spheres.push_back(bubble.sphere);
-  SphereDesc shape;
-  shape.position = bubble.sphere.center;
-  shape.radius = bubble.sphere.radius;
-  scene_.surfaces.push_back(FreeFilmSurface{first, count});
-  scene_.objects.push_back({placed(shape), static_cast<int>(scene_.surfaces.size()) - 1, bubble.place_in_file});
+  bubble.sphere.first_film = static_cast<int>(scene_.films.size());
+  bubble.sphere.film_count = static_cast<int>(bubble.films.size());
+  for (Film& film : bubble.films) {
+    if (const auto& map = film.thickness_map_nm) {
+      const auto& [raster, repeat_u, repeat_v] = map->picture;
+      if (raster != nullptr) film.thickness = film::LatitudeMap{raster, repeat_u, repeat_v};
+      film.thickness_map_nm.reset();
+    }
+    scene_.films.push_back(std::move(film));
+  }
+  scene_.spheres.push_back(bubble.sphere);
 }
 
 void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shabon/color/spectrum.h"
-#include "shabon/film/thickness.h"
+#include "shabon/film/thickness_field.h"
 #include "shabon/geometry/shape.h"
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
@@ -25,8 +25,8 @@ namespace shabon::scene {
 struct Film {
   std::vector<optics::Layer> layers;
   std::size_t varied_layer = 0;                        // index into layers
-  film::ThicknessModel thickness;                      // of that layer, in place of the one written there
-  std::optional<NumberTexture> thickness_map_nm = {};  // in place of `thickness`; never on Scene::spheres
+  film::ThicknessField thickness;                      // of that layer, in place of the one written there
+  std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on Scene::spheres
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of

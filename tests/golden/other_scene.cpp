@@ -8,16 +8,17 @@ namespace shabon::test {
 
 namespace {
 
-// Every thickness, whatever the model: its members in nanometres.
-void scale(film::ThicknessModel& model, double factor) {
-  std::visit(
-      [factor]<class Model>(Model& chosen) {
-        const auto scale_field = [&](const auto& field) {
-          if (field.info.unit == "nm") chosen.*field.member *= factor;
-        };
-        std::apply([&](const auto&... field) { (scale_field(field), ...); }, fields(Of<Model>{}));
-      },
-      model);
+std::shared_ptr<const film::SphereMap> scaled(const std::shared_ptr<const film::SphereMap>& map, double factor) {
+  film::SphereMap result = *map;
+  for (float& nm : result.nm) nm *= static_cast<float>(factor);
+  return std::make_shared<const film::SphereMap>(std::move(result));
+}
+
+film::LatitudeMap scaled(film::LatitudeMap map, double factor) {
+  math::Raster result = *map.nm;
+  for (float& nm : result.values) nm *= static_cast<float>(factor);
+  map.nm = std::make_shared<const math::Raster>(std::move(result));
+  return map;
 }
 
 void scale(scene::NumberTexture& texture, double factor) {
@@ -26,6 +27,21 @@ void scale(scene::NumberTexture& texture, double factor) {
   math::Raster scaled = *texture.picture.raster;
   for (float& value : scaled.values) value *= static_cast<float>(factor);
   texture.picture.raster = std::make_shared<const math::Raster>(std::move(scaled));
+}
+
+void scale(film::ThicknessField& thickness, double factor) {
+  std::visit(
+      [factor]<class Field>(Field& chosen) {
+        if constexpr (requires { fields(Of<Field>{}); }) {  // a model as it stands: its members in nanometres
+          const auto scale_field = [&](const auto& field) {
+            if (field.info.unit == "nm") chosen.*field.member *= factor;
+          };
+          std::apply([&](const auto&... field) { (scale_field(field), ...); }, fields(Of<Field>{}));
+        } else {
+          chosen = scaled(chosen, factor);
+        }
+      },
+      thickness);
 }
 
 int scale(std::vector<optics::Layer>& layers, double factor) {

@@ -2,6 +2,8 @@
 // Stokes frame.
 #pragma once
 
+#include <bit>
+
 #include "shabon/optics/packet/free_film.h"
 #include "shabon/optics/packet/paper_film.h"
 #include "shabon/render/kernel/paths.h"
@@ -73,6 +75,20 @@ inline void turn_frame(const SceneTables& tables, const Paths& paths, EventBlock
   block.sx[lane] = s.x, block.sy[lane] = s.y, block.sz[lane] = s.z;
 }
 
+// The thickness at each event, for all lanes of one film together.
+inline void block_thickness(const math::Vec3<Rays>& normal, EventBlock& block) {
+  alignas(64) double nm[ray_block];
+  for (std::uint32_t left = (1u << block.count) - 1; left != 0;) {
+    const FilmTable* film = block.film[std::countr_zero(left)];
+    film::thickness_nm(*film->thickness, normal).store(nm);
+    for (int lane = 0; lane < block.count; ++lane) {
+      if (block.film[lane] != film) continue;
+      block.thickness_nm[lane] = nm[lane];
+      left &= ~(1u << lane);
+    }
+  }
+}
+
 // Fills the block from `count` paths; `hits` are their indices in the generation.
 inline void event_geometry(const SceneTables& tables, const Paths& paths, const std::uint32_t* hits, int count,
                            const double* distance, const std::int32_t* sphere_of, EventBlock& block) {
@@ -110,12 +126,11 @@ inline void event_geometry(const SceneTables& tables, const Paths& paths, const 
                                             : static_cast<std::int16_t>(sphere.film_count - 1);
     block.films[lane] = static_cast<std::int16_t>(sphere.film_count);
     block.film[lane] = &tables.films[static_cast<std::size_t>(sphere.first_film + block.slot[lane])];
-    block.thickness_nm[lane] =
-        film::thickness_nm(*block.film[lane]->thickness, math::Vec3d{n[0][lane], n[1][lane], n[2][lane]});
     n2_squared[lane] = block.film[lane]->n_squared;
     const bool same_plane = state.plane == block.sphere[lane] || state.plane == PathState::any_plane;
     if (!same_plane) turn_frame(tables, paths, block, lane, sphere.center);
   }
+  block_thickness(normal, block);
   for (int lane = count; lane < ray_block; ++lane) n2_squared[lane] = n2_squared[0];
   const Rays cos_i = Rays::load(block.cos_i), n1_squared(tables.medium_n_squared);
   const Rays q1_squared = n1_squared * max(cos_i * cos_i, Rays(optics::least_cos2));

@@ -39,6 +39,7 @@ FilmTable film_table(const scene::Film& film, const optics::Medium& outside, opt
                      const std::vector<Comb>& combs) {
   FilmTable table;
   table.thickness = &film.thickness;
+  if (film.thickness_map_nm) table.thickness_map_nm = &*film.thickness_map_nm;
   const optics::Medium& medium = film.layers.front().medium;
   const bool one_real_layer = film.layers.size() == 1 && has_real_angles(medium, outside);
   if (!one_real_layer && interference == optics::Interference::airy) {

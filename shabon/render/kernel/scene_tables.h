@@ -25,7 +25,8 @@ enum class FilmKind {
 struct FilmTable {
   FilmKind kind = FilmKind::constant;
   bool lossless = true;
-  const film::ThicknessModel* thickness = nullptr;
+  const film::ThicknessField* thickness = nullptr;
+  const scene::NumberTexture* thickness_map_nm = nullptr;  // in place of it, off Scene::spheres
   double n_squared = 1;                                       // constant
   optics::FreeFilmIndices<float> indices{};                   // constant
   std::vector<LanesD> n_squared_lanes;                        // dispersive, per comb

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <variant>
 
-#include "shabon/film/thickness.h"
+#include "shabon/film/thickness_field.h"
 #include "shabon/optics/stack.h"
 #include "shabon/scene/film_desc.h"
 #include "shabon/scene/texture.h"
@@ -20,7 +20,7 @@ struct Coating {
   optics::Stack stack;
   struct Varied {
     std::size_t layer = 0;
-    std::variant<film::ThicknessModel, NumberTexture> thickness_nm;
+    std::variant<film::ThicknessField, NumberTexture> thickness_nm;
   };
   std::optional<Varied> varied;  // in place of the thickness in the stack
 };

@@ -1,11 +1,13 @@
 // Every model of the list in film/thickness.h is tested as it stands there; a new one is tested once it is listed.
-#include "shabon/film/thickness.h"
+#include "shabon/film/thickness_field.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
+
+#include "shabon/math/packet_math.h"
 
 namespace shabon::film {
 namespace {
@@ -23,31 +25,16 @@ void for_each_model(const Visit& visit) {
   }
 }
 
-// Each parameter set to `value`.
+// Each number set to `value`, as far as its range goes.
 template <class Model>
 Model with_all(Model model, double value) {
-  std::apply([&](const auto&... field) { ((model.*field.member = value), ...); }, fields(Of<Model>{}));
+  const auto set = [&](const auto& field) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(model.*field.member)>, double>)
+      model.*field.member = std::clamp(value, field.info.range.low, field.info.range.high);
+  };
+  std::apply([&](const auto&... field) { (set(field), ...); }, fields(Of<Model>{}));
   return model;
 }
-
-// Four numbers at once, as the renderer's packets behave.
-struct FourNumbers {
-  double lanes[4];
-  FourNumbers(double value) : lanes{value, value, value, value} {}
-  FourNumbers(double a, double b, double c, double d) : lanes{a, b, c, d} {}
-  [[maybe_unused]] friend FourNumbers operator+(FourNumbers a, FourNumbers b) {
-    for (int i = 0; i < 4; ++i) a.lanes[i] += b.lanes[i];
-    return a;
-  }
-  [[maybe_unused]] friend FourNumbers operator-(FourNumbers a, FourNumbers b) {
-    for (int i = 0; i < 4; ++i) a.lanes[i] -= b.lanes[i];
-    return a;
-  }
-  [[maybe_unused]] friend FourNumbers operator*(FourNumbers a, FourNumbers b) {
-    for (int i = 0; i < 4; ++i) a.lanes[i] *= b.lanes[i];
-    return a;
-  }
-};
 
 TEST(ThicknessModels, are_named_and_documented_once) {
   std::set<std::string_view> names;
@@ -75,7 +62,7 @@ TEST(ThicknessModels, carry_the_unit_in_the_key) {
 TEST(ThicknessModels, stay_in_range_over_the_sphere) {
   for_each_model([&](auto model) {
     for (double value : {thickness_range_nm.low, 400.0, thickness_range_nm.high}) {
-      const ThicknessModel chosen = with_all(model, value);
+      const ThicknessField chosen = at_time(with_all(model, value), 0);
       for (const Vec3d& direction : directions) {
         const double nm = thickness_nm(chosen, direction);
         EXPECT_TRUE(thickness_range_nm.contains(nm)) << about(Of<decltype(model)>{}).name << ": " << nm;
@@ -84,14 +71,19 @@ TEST(ThicknessModels, stay_in_range_over_the_sphere) {
   });
 }
 
-TEST(ThicknessModels, give_each_of_many_numbers_what_one_gets) {
+TEST(ThicknessModels, give_packets_what_one_number_gets) {
+  using Packet = math::packet<double, 8>;
   for_each_model([&](auto model) {
-    for (std::size_t i = 0; i + 3 < directions.size(); ++i) {
-      const Vec3d* d = &directions[i];
-      const math::Vec3<FourNumbers> four{
-          {d[0].x, d[1].x, d[2].x, d[3].x}, {d[0].y, d[1].y, d[2].y, d[3].y}, {d[0].z, d[1].z, d[2].z, d[3].z}};
-      const FourNumbers together = thickness_nm(ThicknessModel(model), four);
-      for (int k = 0; k < 4; ++k) EXPECT_EQ(together.lanes[k], thickness_nm(model, d[k]));
+    for (const double value : {0.3, 7.0, 400.0}) {
+      const ThicknessField field = at_time(with_all(model, value), 3);
+      double x[8], y[8], z[8];
+      for (std::size_t i = 0; i < 8; ++i) x[i] = directions[i].x, y[i] = directions[i].y, z[i] = directions[i].z;
+      const Packet together =
+          thickness_nm(field, math::Vec3<Packet>{Packet::load(x), Packet::load(y), Packet::load(z)});
+      for (int k = 0; k < 8; ++k) {
+        const double alone = thickness_nm(field, directions[static_cast<std::size_t>(k)]);
+        EXPECT_NEAR(together[k], alone, 1e-9 * (1 + alone)) << about(Of<decltype(model)>{}).name;
+      }
     }
   });
 }

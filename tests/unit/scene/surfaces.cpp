@@ -90,7 +90,7 @@ TEST(Surfaces, a_coating_keeps_its_stack_and_the_layer_that_varies) {
   EXPECT_NEAR(surface.coating.stack.exit.index(587.6).real(), 1.5168, 1e-4);
   ASSERT_TRUE(surface.coating.varied);
   EXPECT_EQ(surface.coating.varied->layer, 1u);
-  const auto& model = std::get<film::ThicknessModel>(surface.coating.varied->thickness_nm);
+  const auto& model = std::get<film::ThicknessField>(surface.coating.varied->thickness_nm);
   EXPECT_EQ(std::get<film::LinearThickness>(model).bottom_nm, 90);
   EXPECT_EQ(surface.roughness.at(0.3, 0.7), 0.25);
 }
@@ -126,19 +126,19 @@ TEST(Surfaces, whole_numbers_span_the_thickness_asked_for) {
   EXPECT_NEAR(scene.films[0].thickness_map_nm->at(0.75, 0.5), 500, 1e-3);
 }
 
-TEST(Surfaces, a_bubble_with_a_picture_is_an_object_with_all_its_films) {
+TEST(Surfaces, a_bubble_with_a_picture_is_a_bubble_like_others) {
   const Scene scene = load(
       "  - bubble: {film: {medium: 1.4, thickness: {constant_nm: 70}}}\n"
       "  - bubble: {center: [3, 0, 0], radius: 2, film: {medium: 1.5, thickness: {constant_nm: 10}}}\n"
       "  - bubble: {center: [3, 0, 0], radius: 2, film: {medium: 1.6, thickness: {map: {file: nm.exr}}}}\n");
-  ASSERT_EQ(scene.spheres.size(), 1u);
-  ASSERT_EQ(scene.objects.size(), 1u);
-  EXPECT_EQ(scene.objects[0].place_in_file, 1);
-  EXPECT_EQ(geometry::apply_point(scene.objects[0].shape.to_world, {0, 1, 0}), (math::Vec3d{3, 2, 0}));
-  const auto films = only<FreeFilmSurface>(scene);
-  EXPECT_EQ(films.film_count, 2);
-  EXPECT_FALSE(scene.films[static_cast<std::size_t>(films.first_film)].thickness_map_nm);
-  EXPECT_TRUE(scene.films[static_cast<std::size_t>(films.first_film) + 1].thickness_map_nm);
+  ASSERT_EQ(scene.spheres.size(), 2u);
+  EXPECT_TRUE(scene.objects.empty());
+  EXPECT_EQ(scene.spheres[1].film_count, 2);
+  const Film& film = scene.films[static_cast<std::size_t>(scene.spheres[1].first_film) + 1];
+  EXPECT_FALSE(film.thickness_map_nm);
+  // (0.25, 0.5) and (0.75, 0.5): the azimuth counts from +z through -x.
+  EXPECT_NEAR(film::thickness_nm(film.thickness, math::Vec3d{-1, 0, 0}), 200, 1e-3);
+  EXPECT_NEAR(film::thickness_nm(film.thickness, math::Vec3d{1, 0, 0}), 400, 1e-3);
 }
 
 TEST(Surfaces, colours_of_every_spelling_become_spectra_each_once) {

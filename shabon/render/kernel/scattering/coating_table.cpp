@@ -58,7 +58,7 @@ NumberRange range_of(const scene::NumberTexture& texture) {
 }
 
 // Over the directions from a sphere's centre.
-NumberRange range_of(const film::ThicknessModel& model) {
+NumberRange range_of(const film::ThicknessField& model) {
   constexpr int rows = 33, columns = 16;
   NumberRange range{film::thickness_nm(model, math::Vec3d{0, 1, 0}), 0};
   range.most = range.least;

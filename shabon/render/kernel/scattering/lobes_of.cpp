@@ -50,7 +50,9 @@ struct LobeMaker {
   void add_films(int first_film, int film_count) const {
     const int slot = film_slot >= 0 ? film_slot : vertex.from_back ? film_count - 1 : 0;
     const FilmTable& film = tables.films.films[static_cast<std::size_t>(first_film + slot)];
-    const double thickness_nm = film::thickness_nm(*film.thickness, vertex.at.from_centre);
+    const double thickness_nm = film.thickness_map_nm != nullptr
+                                    ? film.thickness_map_nm->at(vertex.at.u, vertex.at.v)
+                                    : film::thickness_nm(*film.thickness, vertex.at.from_centre);
     const Mueller m = film_blocks(tables.films, film, vertex, thickness_nm);
     const auto next = [&](int step) {
       const int to = slot + (vertex.from_back ? -step : step);

@@ -1,0 +1,55 @@
+// How thick a film is at one moment, ready to be asked at many places: a thickness model with all prepared that does
+// not depend on the place, or a map.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "shabon/film/latitude_map.h"
+#include "shabon/film/sphere_map.h"
+#include "shabon/film/thickness.h"
+
+namespace shabon::film {
+
+namespace detail {
+
+// A model is evaluated as it stands, unless it says otherwise: by prepared(model, seconds), which returns another
+// struct with a thickness_nm() of its own.
+template <class Model>
+auto ready(const Model& model, [[maybe_unused]] double seconds) {
+  if constexpr (requires { prepared(model, seconds); })
+    return prepared(model, seconds);
+  else
+    return model;
+}
+
+template <class Models, class... Maps>
+struct ReadyOf;
+template <class... Models, class... Maps>
+struct ReadyOf<std::variant<Models...>, Maps...> {
+  using type = std::variant<decltype(ready(std::declval<const Models&>(), 0.0))..., Maps...>;
+};
+
+}  // namespace detail
+
+using ThicknessField = detail::ReadyOf<ThicknessModel, std::shared_ptr<const SphereMap>, LatitudeMap>::type;
+
+// Of a map that its owner replaces from one picture to the next.
+template <class Number>
+Number thickness_nm(const std::shared_ptr<const SphereMap>& map, const math::Vec3<Number>& from_centre) {
+  return thickness_nm(*map, from_centre);
+}
+
+// Thickness in nm in the unit direction `from_centre` of a sphere; Number is double or a packet of it. Other shapes
+// give a place within their box, in units of half its height.
+template <class Number>
+Number thickness_nm(const ThicknessField& field, const math::Vec3<Number>& from_centre) {
+  return std::visit([&](const auto& chosen) { return thickness_nm(chosen, from_centre); }, field);
+}
+
+// The model as it is `seconds` after the moment its parameters speak of; models that do not age are the same ever
+// after.
+ThicknessField at_time(const ThicknessModel& model, double seconds);
+
+}  // namespace shabon::film
