@@ -69,14 +69,18 @@ math::Vec3d node_direction(int face, int column, int row, int size) {
   }
 }
 
-SphereMap sphere_map(int size, const std::function<double(const math::Vec3d&)>& nm_at) {
-  SphereMap map{size, {}};
-  map.nm.resize(map.index(face_count, 0, 0));
+std::vector<math::Vec3d> node_directions(int size) {
+  std::vector<math::Vec3d> directions;
   for (int face = 0; face < face_count; ++face)
     for (int row = 0; row < size; ++row)
       for (int column = 0; column < size; ++column)
-        map.nm[map.index(face, column, row)] =
-            static_cast<float>(nm_at(math::normalize(node_direction(face, column, row, size))));
+        directions.push_back(math::normalize(node_direction(face, column, row, size)));
+  return directions;
+}
+
+SphereMap sphere_map(int size, const std::function<double(const math::Vec3d&)>& nm_at) {
+  SphereMap map{size, {}};
+  for (const math::Vec3d& direction : node_directions(size)) map.nm.push_back(static_cast<float>(nm_at(direction)));
   return map;
 }
 

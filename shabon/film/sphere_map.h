@@ -31,6 +31,9 @@ inline constexpr int face_count = 6;
 // Where a node stands, on the cube of half edge 1: not of unit length.
 math::Vec3d node_direction(int face, int column, int row, int size);
 
+// Of all nodes in the order of SphereMap::nm, of unit length: what fills a map in one go asks here.
+std::vector<math::Vec3d> node_directions(int size);
+
 // The map of `nm_at`, which is asked once for each node, in unit directions. `size` as SphereMap::size.
 SphereMap sphere_map(int size, const std::function<double(const math::Vec3d&)>& nm_at);
 
