@@ -11,6 +11,7 @@
 #include "bench/optics/films.h"
 #include "bench/optics/stacks.h"
 #include "bench/render/noise.h"
+#include "bench/render/shares.h"
 #include "bench/render/speed.h"
 #include "bench/render/transports.h"
 #include "shabon/io/file.h"
@@ -46,6 +47,9 @@ Status run(const Options& options, bench::Report& report) {
     done = bench::bench_speed(report, options.quick ? quick_rounds : rounds, options.quick ? quick_samples : samples);
   if (done && options.wants("noise")) done = bench::bench_noise(report, !options.quick);
   if (done && options.wants("transports")) done = bench::bench_transports(report, options.quick ? 1 : rounds);
+  constexpr double share_seconds = 8, quick_share_seconds = 0.5;
+  if (done && options.wants("shares"))
+    done = bench::bench_shares(report, options.quick ? quick_share_seconds : share_seconds);
   if (done && options.wants("geometry")) done = bench::bench_next_wall(report, repeat);
   if (done && options.wants("geometry")) done = bench::bench_next_shape(report, repeat);
   if (done && !options.json.empty()) done = io::write_file_atomically(options.json, report.json());
@@ -56,12 +60,12 @@ Status run(const Options& options, bench::Report& report) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measures Shabon on this machine; about eight minutes. Keep the machine free of other work.");
+  CLI::App app("Measures Shabon on this machine; about nine minutes. Keep the machine free of other work.");
   Options options;
   app.add_flag("--quick", options.quick, "Few repetitions: to see that everything runs");
-  app.add_option("--only", options.only, "Some of: optics, desk, render, noise, transports, geometry")
+  app.add_option("--only", options.only, "Some of: optics, desk, render, noise, transports, shares, geometry")
       ->delimiter(',')
-      ->check(CLI::IsMember({"optics", "desk", "render", "noise", "transports", "geometry"}));
+      ->check(CLI::IsMember({"optics", "desk", "render", "noise", "transports", "shares", "geometry"}));
   app.add_option("--json", options.json, "Also writes all figures to this file");
   app.add_option("--update", options.update, "Also puts the report into this page, between its bench marks");
   constexpr int usage = 2;

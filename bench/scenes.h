@@ -1,6 +1,8 @@
 // The scenes that are rendered.
 #pragma once
 
+#include <string>
+
 #include "shabon/base/result.h"
 #include "shabon/scene/scene.h"
 
@@ -17,5 +19,11 @@ Result<scene::Scene> plain_bubble(std::string_view medium, std::string_view inte
 
 // A white room with one lamp, coated spheres and a bubble.
 Result<scene::Scene> coated_room();
+
+// `count` bubbles of all sizes around each other under the windows; the same at every call.
+Result<scene::Scene> many_bubbles(int count);
+
+// The scene of that folder in scenes/.
+Result<scene::Scene> gallery_scene(const std::string& name);
 
 }  // namespace shabon::bench
