@@ -40,7 +40,7 @@ inline constexpr FieldInfo air_envelope_info{.doc = "when it blows"};
 struct AirRotation {
   math::Vec3d axis{0, 1, 0};
   double speed_m_s = 0.2;  // at the equator of the axis
-  AirEnvelope envelope;
+  AirEnvelope envelope = {};
 };
 
 constexpr About about(Of<AirRotation>) { return {.name = "rotation", .doc = "Air that turns about an axis."}; }
@@ -60,7 +60,7 @@ struct AirJet {
   math::Vec3d direction{1, 0, 0};
   double speed_m_s = 0.5;
   double half_width_deg = 35;
-  AirEnvelope envelope;
+  AirEnvelope envelope = {};
 };
 
 constexpr About about(Of<AirJet>) { return {.name = "jet", .doc = "A stream of air over one side."}; }
@@ -84,7 +84,7 @@ struct AirGusts {
   double speed_m_s = 1;
   double half_width_deg = 30;
   double length_s = 0.5;
-  AirEnvelope envelope;
+  AirEnvelope envelope = {};
 };
 
 constexpr About about(Of<AirGusts>) { return {.name = "gusts", .doc = "Puffs of air at random places and times."}; }
@@ -102,7 +102,7 @@ constexpr auto fields(Of<AirGusts>) {
             {.unit = "degrees", .range = air_angle_range_deg, .doc = "angle at which a puff has fallen to 1/e"}},
       Field{"length_s",
             &AirGusts::length_s,
-            {.unit = "s", .range = {.low = 0.01, .high = 100}, .doc = "how long each lasts"}},
+            {.unit = "s", .range = {.low = 0.01, .high = 10}, .doc = "how long each lasts"}},
       Field{"envelope", &AirGusts::envelope, air_envelope_info}};
 }
 
@@ -111,7 +111,7 @@ struct AirSwirls {
   double speed_m_s = 0.3;
   double scale_m = 0.02;
   double change_s = 4;
-  AirEnvelope envelope;
+  AirEnvelope envelope = {};
 };
 
 constexpr About about(Of<AirSwirls>) { return {.name = "swirls", .doc = "Random eddies of air (curl noise)."}; }

@@ -84,13 +84,13 @@ struct FlowDesc {
   double elasticity_n_m = 22e-3;
   double air_drag_kg_m2_s = 0.023;
   math::Vec3d gravity_m_s2{0, -9.81, 0};
-  InitialFilmDesc initial;
-  std::vector<AirMotion> air;
-  std::optional<EvaporationDesc> evaporation;
-  std::optional<RegenerationDesc> regeneration;
-  std::optional<BlackFilmDesc> black_film;
-  std::optional<RuptureDesc> rupture;
-  FlowStepDesc step;
+  InitialFilmDesc initial = {};
+  std::vector<AirMotion> air = {};
+  std::optional<EvaporationDesc> evaporation = {};
+  std::optional<RegenerationDesc> regeneration = {};
+  std::optional<BlackFilmDesc> black_film = {};
+  std::optional<RuptureDesc> rupture = {};
+  FlowStepDesc step = {};
 };
 
 constexpr auto fields(Of<FlowDesc>) {

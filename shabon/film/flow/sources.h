@@ -71,7 +71,7 @@ constexpr auto fields(Of<BlackFilmDesc>) {
       Field{"spots_per_s",
             &BlackFilmDesc::spots_per_s,
             {.unit = "1/s",
-             .range = {.low = 0, .high = 1e4},
+             .range = {.low = 0, .high = 1000},
              .doc = "chances a second and square centimetre of thin film"}},
       Field{"front_m_s",
             &BlackFilmDesc::front_m_s,

@@ -1,0 +1,189 @@
+// The film as its users see it: same bits alone, beside others, and after a restart; messages; damaged checkpoints.
+#include "shabon/film/flow/flow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "shabon/film/flow/bake.h"
+
+namespace shabon::film {
+namespace {
+
+using math::Vec3d;
+
+// Everything that a film can have.
+FlowDesc busy_film(std::uint64_t seed) {
+  FlowDesc desc;
+  desc.level = 3;
+  desc.seed = seed;
+  desc.mean_thickness_nm = 160;
+  desc.initial = {.equilibrium = true, .noise = 0.3, .swirl_m_s = 0.2};
+  desc.air = {AirGusts{.rate_per_s = 8, .speed_m_s = 1.6}, AirSwirls{}, AirRotation{}, AirJet{}};
+  desc.evaporation = EvaporationDesc{};
+  desc.regeneration = RegenerationDesc{};
+  desc.black_film = BlackFilmDesc{.nucleation_nm = 130};
+  desc.rupture = RuptureDesc{.from_nm = 1, .to_nm = 2};
+  return desc;
+}
+
+FilmFlow started(const FlowDesc& desc) {
+  auto flow = FilmFlow::start(desc);
+  EXPECT_TRUE(flow.ok()) << to_text(flow.errors());
+  return std::move(*flow);
+}
+
+std::vector<std::byte> run(std::uint64_t seed) {
+  FilmFlow flow = started(busy_film(seed));
+  for (int frame = 1; frame <= 8; ++frame) EXPECT_TRUE(flow.advance_to(0.05 * frame).ok());
+  return flow.checkpoint();
+}
+
+TEST(FilmFlow, GivesTheSameBitsAloneAndBesideAnother) {
+  const auto one = run(1), two = run(2);
+  EXPECT_NE(one, two);
+  std::vector<std::byte> beside_one, beside_two;
+  std::thread first([&] { beside_one = run(1); }), second([&] { beside_two = run(2); });
+  first.join(), second.join();
+  EXPECT_EQ(beside_one, one);
+  EXPECT_EQ(beside_two, two);
+}
+
+TEST(FilmFlow, GoesOnWithTheSameBitsAfterARestart) {
+  FilmFlow straight = started(busy_film(3));
+  std::vector<std::byte> half;
+  for (int frame = 1; frame <= 20; ++frame) {
+    ASSERT_TRUE(straight.advance_to(0.05 * frame).ok());
+    if (frame == 10) half = straight.checkpoint();
+  }
+  EXPECT_GT(straight.report().steps, 150);
+  EXPECT_GT(straight.report().drop_m3, 0);
+  EXPECT_GT(straight.report().black_share, 0);
+  auto resumed = FilmFlow::resume(half);
+  ASSERT_TRUE(resumed.ok()) << to_text(resumed.errors());
+  EXPECT_EQ(resumed->checkpoint(), half);
+  EXPECT_EQ(resumed->time_s(), 0.5);
+  for (int frame = 11; frame <= 20; ++frame) ASSERT_TRUE(resumed->advance_to(0.05 * frame).ok());
+  EXPECT_EQ(resumed->checkpoint(), straight.checkpoint());
+}
+
+TEST(Checkpoint, IsRefusedWhenDamaged) {
+  const auto whole = run(1);
+  ASSERT_TRUE(FilmFlow::resume(whole).ok());
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{5}, std::size_t{40}, whole.size() / 2, whole.size() - 1}) {
+    const auto cut = FilmFlow::resume(std::span(whole).first(length));
+    ASSERT_FALSE(cut.ok()) << length;
+    EXPECT_EQ(cut.errors().front().failure, Failure::content);
+  }
+  for (std::size_t at = 0; at < whole.size(); at += 997) {
+    auto changed = whole;
+    changed[at] ^= std::byte{1};
+    EXPECT_FALSE(FilmFlow::resume(changed).ok()) << at;
+  }
+  auto longer = whole;
+  longer.push_back(std::byte{0});
+  EXPECT_FALSE(FilmFlow::resume(longer).ok());
+}
+
+TEST(FilmFlow, TellsEveryProblemOfADescription) {
+  FlowDesc desc;
+  desc.radius_m = -1;
+  desc.mean_thickness_nm = std::nan("");
+  desc.level = 9;
+  desc.air = {AirRotation{}, AirJet{.direction = {0, 0, 0}, .envelope = {.ramp_s = -1}}};
+  desc.black_film = BlackFilmDesc{.thickness_nm = 40, .nucleation_nm = 30};
+  desc.step.courant = 2;
+  const auto flow = FilmFlow::start(desc);
+  ASSERT_FALSE(flow.ok());
+  std::vector<std::string> keys;
+  for (const Diagnostic& problem : flow.errors()) {
+    keys.push_back(problem.key);
+    EXPECT_FALSE(problem.message.empty());
+  }
+  EXPECT_EQ(keys, (std::vector<std::string>{"level", "radius_m", "mean_thickness_nm", "air[1].jet.envelope.ramp_s",
+                                            "air[1].jet.direction", "black_film.thickness_nm", "step.courant"}));
+}
+
+TEST(FilmFlow, StopsWithItsLastGoodStateAndSaysWhatToChange) {
+  FlowDesc desc;
+  desc.level = 3;
+  desc.air = {AirRotation{.speed_m_s = 20, .envelope = {.ramp_s = 0}}};
+  desc.step.longest_s = desc.step.shortest_s = 1e-3;
+  FilmFlow flow = started(desc);
+  const Status stopped = flow.advance_to(10);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_NE(to_text(stopped.errors()).find("slow the air down"), std::string::npos) << to_text(stopped.errors());
+  EXPECT_LT(flow.time_s(), 10);
+  for (const double h : flow.thickness_m()) EXPECT_TRUE(h > 0 && h < 1e-5);
+
+  desc.step.most_iterations = 1;
+  desc.step.tolerance = 1e-14;
+  FilmFlow other = started(desc);
+  const Status unsolved = other.advance_to(1);
+  ASSERT_FALSE(unsolved.ok());
+  EXPECT_NE(to_text(unsolved.errors()).find("step.most_iterations"), std::string::npos);
+}
+
+TEST(FilmFlow, StopsWhenAsked) {
+  FilmFlow flow = started(busy_film(1));
+  const StopFlag stop{true};
+  EXPECT_TRUE(flow.advance_to(1, &stop).ok());
+  EXPECT_EQ(flow.time_s(), 0);
+}
+
+TEST(FilmFlow, StartsFromAGivenThickness) {
+  FlowDesc desc;
+  desc.level = 3;
+  desc.initial.noise = 0;
+  const auto flow = FilmFlow::start(desc, [](const Vec3d& at) { return 500 + 100 * at.y; });
+  ASSERT_TRUE(flow.ok());
+  for (std::size_t c = 0; c < flow->directions().size(); ++c)
+    EXPECT_NEAR(flow->thickness_m()[c] * 1e9, 800 * (1 + 0.2 * flow->directions()[c].y), 0.1);
+  EXPECT_FALSE(FilmFlow::start(desc, [](const Vec3d& at) { return at.y; }).ok());
+}
+
+// The same film at another level: noise, eddies and events do not follow the cells.
+TEST(FilmFlow, StartsAlikeAtEveryLevel) {
+  FlowDesc desc;
+  desc.seed = 9;
+  desc.initial = {.noise = 0.3, .noise_scale_m = 0.02, .swirl_m_s = 0.1};
+  std::vector<Vec3d> places;
+  for (int i = 0; i < 200; ++i) {
+    const double z = -0.99 + 0.0099 * i, turn = 2.4 * i;
+    places.push_back({std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z});
+  }
+  std::vector<float> coarse(places.size()), fine(places.size());
+  desc.level = 4;
+  const FilmFlow one = started(desc);
+  FlowBake(one, places).thickness_nm(one, coarse);
+  desc.level = 5;
+  const FilmFlow two = started(desc);
+  FlowBake(two, places).thickness_nm(two, fine);
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1, 0.05);
+  EXPECT_GT(*std::max_element(fine.begin(), fine.end()), 1.3 * *std::min_element(fine.begin(), fine.end()));
+}
+
+TEST(FlowBake, IsLinearBetweenCells) {
+  FlowDesc desc;
+  desc.level = 5;
+  desc.initial.noise = 0;
+  const auto flow = FilmFlow::start(desc, [](const Vec3d& at) { return 500 + 100 * at.x - 50 * at.z; });
+  ASSERT_TRUE(flow.ok());
+  std::vector<Vec3d> places(flow->directions().begin(), flow->directions().end());
+  const std::size_t cells = places.size();
+  for (const auto& [a, b, c] : flow->triangles()) {
+    const auto at = [&](int cell) { return flow->directions()[static_cast<std::size_t>(cell)]; };
+    places.push_back(at(a) * 0.5 + at(b) * 0.3 + at(c) * 0.2);
+  }
+  std::vector<float> nm(places.size());
+  FlowBake(*flow, places).thickness_nm(*flow, nm);
+  for (std::size_t i = 0; i < cells; ++i) EXPECT_NEAR(nm[i], flow->thickness_m()[i] * 1e9, 1e-3);
+  for (std::size_t i = cells; i < places.size(); ++i)
+    EXPECT_NEAR(nm[i], 800 * (1 + 0.2 * places[i].x - 0.1 * places[i].z), 0.02);
+}
+
+}  // namespace
+}  // namespace shabon::film
