@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shabon/geometry/coincidence.h"
+#include "shabon/scene/media_flaws.h"
 #include "shabon/scene/schema_fields.h"
 #include "shabon/scene/value.h"
 
@@ -104,6 +105,25 @@ void warn_of_coincidence(const std::vector<Placed>& all, std::size_t object_coun
   for (const auto& [first, second] : geometry::coincident(different)) {
     const std::size_t a = index[static_cast<std::size_t>(first)], b = index[static_cast<std::size_t>(second)];
     if (a < object_count) warn(all[a].place_in_file, all[b].place_in_file);
+  }
+}
+
+// `places` are those in the file of the scene's objects, then of its bubbles.
+void warn_of_media(const Scene& scene, const std::vector<int>& places, const Names& names, Problems& problems) {
+  for (const MediaFlaw& flaw : media_flaws(scene)) {
+    const int at = places[static_cast<std::size_t>(flaw.object)];
+    const Path item{&names.path, {}, at};
+    const std::string side = flaw.behind ? "behind" : "in front of";
+    std::string message;
+    if (flaw.other)
+      message = "the medium " + side + " it is '" + flaw.here.name() + "', but " +
+                names.of(places[static_cast<std::size_t>(*flaw.other)]) + ", which is met next there, has '" +
+                flaw.there.name() + "' on this side";
+    else
+      message = "nothing closes the '" + flaw.here.name() + "' " + side +
+                " it: light in it leaves the scene. Close it with more surfaces" +
+                (flaw.behind ? ", or take a 'pane' for a thin plate" : "");
+    problems.add_warning(Path{&item, names.shape(at)}, message);
   }
 }
 
@@ -213,6 +233,10 @@ void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path&
     if (stands_on(object.shape, camera) && !problems_.has(position))
       problems_.add(position, "expected a place off every surface, got one on " + names.of(object.place_in_file));
   if (object_count > 0) warn_of_coincidence(all, object_count, names, problems_);
+  if (!problems_.empty()) return;
+  std::vector<int> places;
+  for (const Placed& one : all) places.push_back(one.place_in_file);
+  warn_of_media(scene_, places, names, problems_);
 }
 
 }  // namespace shabon::scene

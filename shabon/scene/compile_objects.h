@@ -25,9 +25,9 @@ class ObjectsCompiler {
 
   void add(const ObjectDesc& object, const Path& path, int index);
 
-  // After the last object: fills Scene::spheres. Problems between objects follow: those that coincide are warned of;
-  // the camera must not stand on one that is no bubble.
-  // `path` leads to the list of objects.
+  // After the last object: fills Scene::spheres. Problems between objects follow: those that coincide, and media that
+  // do not meet, are warned of; the camera must not stand on one that is no bubble. `path` leads to the list of
+  // objects.
   void finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera);
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shabon/base/text.h"
 #include "shabon/color/rgb.h"
 #include "shabon/scene/value.h"
 
@@ -28,12 +29,15 @@ const TextureFile* Textures::file(const std::string& name, const Path& map) {
   const Path place{&map, "file"};
   if (problems_.has(place)) return nullptr;
   auto entry = files_.find(name);
-  if (entry == files_.end()) entry = files_.emplace(name, resources_.texture(name)).first;
+  const bool added = entry == files_.end();
+  if (added) entry = files_.emplace(name, resources_.texture(name)).first;
   const Result<TextureFile>& loaded = entry->second;
   if (!loaded) {
     for (const Diagnostic& error : loaded.errors()) problems_.add_from_file(place, error);
     return nullptr;
   }
+  if (added && loaded->negatives > 0)
+    problems_.add_warning(place, std::to_string(loaded->negatives) + " negative values of the picture became 0");
   if (well_formed(loaded->raster)) return &*loaded;
   problems_.add(place, "expected a picture of one or three channels of finite values, got one that is not");
   return nullptr;
@@ -69,6 +73,21 @@ TexturePicture Textures::numbers(const NumberMapDesc& map, const Path& path) {
   return {scaled(map.file, map.low, map.high, {.range = share_range}, path), map.repeat.u, map.repeat.v};
 }
 
+// Nanometres where 0..1 is expected, or the other way round.
+void Textures::warn_of_units(const ThicknessMapDesc& map, const math::Raster& picture, const Path& path) {
+  constexpr double overshoot = 1.1;       // of 0..1, as filters make it
+  constexpr double thinnest_film_nm = 5;  // about the thinnest that stands, a Newton black film
+  const double largest = *std::max_element(picture.values.begin(), picture.values.end());
+  const Path place{&path, "file"};
+  if (map.low_nm && largest > overshoot)
+    problems_.add_warning(place, "the picture's values go up to " + format_number(largest, 3) +
+                                     ", but between 'low_nm' and 'high_nm' they count as 0..1; a picture of nanometres "
+                                     "takes neither");
+  if (!map.low_nm && largest < thinnest_film_nm)
+    problems_.add_warning(place, "the picture's values count as nanometres and go up to no more than " +
+                                     format_number(largest, 3) + "; a picture of 0..1 needs 'low_nm' and 'high_nm'");
+}
+
 TexturePicture Textures::thickness_nm(const ThicknessMapDesc& map, const Path& path) {
   const TextureFile* texture = file(map.file, path);
   if (texture == nullptr || problems_.has(path)) return {};
@@ -77,6 +96,7 @@ TexturePicture Textures::thickness_nm(const ThicknessMapDesc& map, const Path& p
                             std::to_string(texture->bits) + " bits), which holds no nanometres");
     return {};
   }
+  warn_of_units(map, texture->raster, path);
   const FieldInfo allowed{.unit = "nm", .range = film::thickness_range_nm};
   return {scaled(map.file, map.low_nm.value_or(0), map.high_nm.value_or(1), allowed, path), map.repeat.u, map.repeat.v};
 }
@@ -97,8 +117,6 @@ Textures::Raster Textures::linear_rgb(const TextureFile& texture, const Path& ma
   }
   const Path place{&map, "file"};
   if (above > 0) problems_.add_warning(place, std::to_string(above) + " values of the picture above 1 became 1");
-  if (texture.negatives > 0)
-    problems_.add_warning(place, std::to_string(texture.negatives) + " negative values of the picture became 0");
   return raster;
 }
 

@@ -31,6 +31,7 @@ class Textures {
 
   const TextureFile* file(const std::string& name, const Path& map);
   Raster scaled(const std::string& file, double low, double high, const FieldInfo& allowed, const Path& map);
+  void warn_of_units(const ThicknessMapDesc& map, const math::Raster& picture, const Path& path);
   Raster linear_rgb(const TextureFile& texture, const Path& map);
 
   const Resources& resources_;
