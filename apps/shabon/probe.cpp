@@ -14,6 +14,7 @@
 #include "shabon/base/text.h"
 #include "shabon/color/rgb.h"
 #include "shabon/color/xyz.h"
+#include "shabon/scene/object_at.h"
 #include "streams.h"
 #include "wavelengths.h"
 
@@ -75,6 +76,9 @@ Result<render::ProbeRay> chosen_ray(const ProbeCommand& command, const scene::Sc
     if (longest == 0) return fail(Failure::usage, "--ray: expected a direction that is not 0 0 0");
     render::ProbeRay ray;
     ray.origin = {r[0], r[1], r[2]};
+    if (const auto at = scene::object_at(scene, ray.origin))
+      return fail(Failure::usage,
+                  fmt::format("--ray: expected an origin off every surface, got one on objects[{}]", *at));
     ray.direction = {r[3] / longest, r[4] / longest, r[5] / longest};
     return ray;
   }
@@ -122,7 +126,8 @@ void tell_cut(const render::ProbeResult& result) {
 int run_probe(const ProbeCommand& command) {
   if (command.pixel.empty() && command.ray.empty())
     return report(fail(Failure::usage, "expected --pixel X Y or --ray OX OY OZ DX DY DZ"));
-  const Result<LoadedScene> loaded = load(command.scene);
+  const auto camera = command.ray.empty() ? scene::CameraUse::takes_pictures : scene::CameraUse::none;
+  const Result<LoadedScene> loaded = load(command.scene, camera);
   if (!loaded) return report(loaded.errors());
   const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
   if (!ray) return report(ray.errors());

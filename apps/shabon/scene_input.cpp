@@ -74,7 +74,7 @@ void add_scene_integer(CLI::App& app, SceneInput& input, const std::string& name
   app.add_option_function<std::string>(names, read, description)->type_name("N");
 }
 
-Result<LoadedScene> load(const SceneInput& input) {
+Result<LoadedScene> load(const SceneInput& input, scene::CameraUse camera) {
   std::string text(scene::built_in_scene()), name(scene::built_in_source);
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files_read;
@@ -90,7 +90,8 @@ Result<LoadedScene> load(const SceneInput& input) {
   overrides.insert(overrides.end(), input.flags.begin(), input.flags.end());
   const auto note = [&files_read](const std::filesystem::path& file) { files_read.push_back(file); };
   Diagnostics warnings;
-  Result<scene::Scene> scene = scene::load_scene(text, name, overrides, api::file_resources(folder, note), &warnings);
+  Result<scene::Scene> scene =
+      scene::load_scene(text, name, overrides, api::file_resources(folder, note), &warnings, camera);
   report(warnings);
   if (!scene) return scene.errors();
   return LoadedScene{*std::move(scene), std::move(name), std::move(files_read)};

@@ -10,6 +10,7 @@
 
 #include "shabon/base/field.h"
 #include "shabon/base/result.h"
+#include "shabon/scene/compile.h"
 #include "shabon/scene/scene.h"
 
 namespace shabon::app {
@@ -37,6 +38,6 @@ struct LoadedScene {
 };
 
 // Reads and compiles the scene; files it names are found beside it. Prints warnings.
-Result<LoadedScene> load(const SceneInput& input);
+Result<LoadedScene> load(const SceneInput& input, scene::CameraUse camera = scene::CameraUse::takes_pictures);
 
 }  // namespace shabon::app

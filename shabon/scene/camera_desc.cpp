@@ -18,11 +18,11 @@ double length_of(const math::Vec3d& v) { return std::hypot(v.x, v.y, v.z); }
 void check_view(const CameraDesc& camera, const Path& path, Problems& problems) {
   const Path position{&path, "position"}, look_at{&path, "look_at"}, upwards{&path, "up"};
   if (problems.has(position) || problems.has(look_at) || problems.has(upwards)) return;
-  const math::Vec3d view = camera.look_at - camera.position;
+  const math::Vec3d view = camera.target() - camera.position;
   const double coordinates = std::max(1.0, length_of(camera.position));
   if (length_of(view) < shortest_vector * coordinates)
-    return problems.add(look_at, "expected a point away from the camera's position, got " + value_text(camera.look_at) +
-                                     ", which is the position");
+    return problems.add(look_at, "expected a point away from the camera's position, got " +
+                                     value_text(camera.target()) + ", which is the position");
   if (length_of(camera.up) < shortest_vector)
     return problems.add(upwards, "expected a direction, got " + value_text(camera.up));
   const math::Vec3d forward = view * (1 / length_of(view)), up = camera.up * (1 / length_of(camera.up));
@@ -60,6 +60,15 @@ void check_projection(const CameraDesc& camera, const Path& path, Problems& prob
 }
 
 }  // namespace
+
+math::Vec3d CameraDesc::target() const {
+  if (look_at) return *look_at;
+  const auto is_panorama = [](const ProjectionEntry& p) { return p.projection == Projection::panorama; };
+  if (!same_name(std::find_if(std::begin(projections), std::end(projections), is_panorama)->name, projection))
+    return {0, 0, 0};
+  const bool up_along_z = std::hypot(up.x, up.y) < parallel_sine * length_of(up);
+  return position + (up_along_z ? math::Vec3d{1, 0, 0} : math::Vec3d{0, 0, -1});
+}
 
 std::vector<std::string_view> projection_names() {
   std::vector<std::string_view> names;

@@ -26,13 +26,18 @@ struct ImageDesc {
 inline constexpr double default_vertical_fov_deg = 30, default_orthographic_height = 2;
 
 struct CameraDesc {
-  math::Vec3d position{0, 0, 5}, look_at{0, 0, 0}, up{0, 1, 0};
+  math::Vec3d position{0, 0, 5}, up{0, 1, 0};
+  std::optional<math::Vec3d> look_at = {};
   std::string projection = "perspective";
   std::optional<double> vertical_fov_deg = {};     // full angle; perspective only
   std::optional<double> orthographic_height = {};  // orthographic only
   double lens_radius = 0;
   std::optional<double> focus_distance = {};  // by default to look_at
   std::optional<double> polarizer_deg = {};
+
+  // look_at, or what stands for it: the origin; of panoramas, which see all around, a point along -z (along x where up
+  // leads along z).
+  math::Vec3d target() const;
 };
 
 std::vector<std::string_view> projection_names();
@@ -66,7 +71,9 @@ constexpr auto fields(Of<CameraDesc>) {
       Field{"position", &CameraDesc::position, {.range = coordinate_range, .doc = "where the camera stands"}},
       Field{"look_at",
             &CameraDesc::look_at,
-            {.range = coordinate_range, .doc = "the point in the middle of the picture"}},
+            {.range = coordinate_range,
+             .unset = "[0, 0, 0]; of panoramas along -z",
+             .doc = "the point in the middle of the picture"}},
       Field{"up", &CameraDesc::up, {.range = coordinate_range, .doc = "upwards in the picture; not along the view"}},
       Field{"projection",
             &CameraDesc::projection,

@@ -45,7 +45,8 @@ bool shines(const Scene& scene) {
 }
 
 // `problems` may hold what reading found: then the rest is added and there is no scene.
-Result<Scene> compile_with(const SceneDesc& description, const Resources& resources, Problems& problems) {
+Result<Scene> compile_with(const SceneDesc& description, const Resources& resources, CameraUse camera,
+                           Problems& problems) {
   const Path root;
   check_mapping(scene_schema(), &description, root, problems);
   Scene scene;
@@ -63,7 +64,9 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
     compiler.add(description.objects[i], Path{&objects, {}, index}, index);
   }
   scene.medium = media.settle();
-  compiler.finish(description.objects, objects, description.camera.position);
+  compiler.finish(description.objects, objects);
+  if (camera == CameraUse::takes_pictures)
+    compiler.check_camera(description.objects, objects, description.camera.position);
   if (!problems.empty()) return problems.errors();
   scene.environment.channels = std::move(lamps.spectra);
   if (!shines(scene))
@@ -91,13 +94,14 @@ Result<Scene> within_memory(Problems& problems, Diagnostics* warnings, const Wor
 
 }  // namespace
 
-Result<Scene> compile(const SceneDesc& description, const Resources& resources, Diagnostics* warnings) {
+Result<Scene> compile(const SceneDesc& description, const Resources& resources, Diagnostics* warnings,
+                      CameraUse camera) {
   Problems problems(description.origin.get());
-  return within_memory(problems, warnings, [&] { return compile_with(description, resources, problems); });
+  return within_memory(problems, warnings, [&] { return compile_with(description, resources, camera, problems); });
 }
 
 Result<Scene> load_scene(std::string_view text, std::string source, std::span<const std::string> overrides,
-                         const Resources& resources, Diagnostics* warnings) {
+                         const Resources& resources, Diagnostics* warnings, CameraUse camera) {
   Diagnostics flaws;
   Result<io::YamlDocument> document = io::parse_yaml(text, std::move(source), flaws);
   if (!document) return document.errors();
@@ -109,7 +113,7 @@ Result<Scene> load_scene(std::string_view text, std::string source, std::span<co
   problems.adopt(flaws);
   return within_memory(problems, warnings, [&] {
     const SceneDesc description = read_description(shared, problems);
-    return compile_with(description, resources, problems);
+    return compile_with(description, resources, camera, problems);
   });
 }
 

@@ -17,13 +17,13 @@ Camera projected(const CameraDesc& camera, const ImageDesc& image) {
     case Projection::perspective:
       break;
     case Projection::orthographic:
-      return orthographic_camera(camera.position, camera.look_at, camera.up,
+      return orthographic_camera(camera.position, camera.target(), camera.up,
                                  camera.orthographic_height.value_or(default_orthographic_height), image.width,
                                  image.height);
     case Projection::panorama:
-      return panorama_camera(camera.position, camera.look_at, camera.up, image.width, image.height);
+      return panorama_camera(camera.position, camera.target(), camera.up, image.width, image.height);
   }
-  return look_at_camera(camera.position, camera.look_at, camera.up,
+  return look_at_camera(camera.position, camera.target(), camera.up,
                         radians(camera.vertical_fov_deg.value_or(default_vertical_fov_deg)), image.width, image.height);
 }
 

@@ -5,6 +5,7 @@
 
 #include "shabon/geometry/coincidence.h"
 #include "shabon/scene/media_flaws.h"
+#include "shabon/scene/object_at.h"
 #include "shabon/scene/schema_fields.h"
 #include "shabon/scene/value.h"
 
@@ -15,9 +16,6 @@ namespace {
 // In scene units. Smaller objects are slips, and their areas would leave the range of numbers.
 constexpr double smallest_size = 1e-9;
 
-// In units of the object's size: nearer to it than this, the camera stands on it.
-constexpr double on_surface_tolerance = 1e-9;
-
 // The time to compare all pairs grows with their square: beyond so many objects only copies are found.
 constexpr std::size_t most_compared = 1000;
 
@@ -25,29 +23,6 @@ math::Vec3d times(const math::Vec3d& a, const math::Vec3d& b) { return {a.x * b.
 
 geometry::PlacedShape placed_as(const geometry::Shape& shape, const PlacementDesc& where, const math::Vec3d& size) {
   return geometry::place(shape, geometry::placement(where.position, where.rotation_deg, times(where.scale, size)));
-}
-
-// In the shape's own coordinates.
-bool is_on(const geometry::SphereCap& cap, const math::Vec3d& p, double tolerance) {
-  return std::abs(math::length(p) - 1) <= tolerance && p.y >= cap.cos_cap - tolerance;
-}
-bool is_on(const geometry::Quad&, const math::Vec3d& p, double tolerance) {
-  return std::abs(p.z) <= tolerance && std::max(std::abs(p.x), std::abs(p.y)) <= 1 + tolerance;
-}
-bool is_on(const geometry::Disk& disk, const math::Vec3d& p, double tolerance) {
-  const double r = std::hypot(p.x, p.y);
-  return std::abs(p.z) <= tolerance && r <= 1 + tolerance && r >= disk.hole - tolerance;
-}
-bool is_on(const geometry::Cylinder&, const math::Vec3d& p, double tolerance) {
-  return std::abs(std::hypot(p.x, p.z) - 1) <= tolerance && std::abs(p.y) <= 1 + tolerance;
-}
-bool is_on(const geometry::Triangle&, const math::Vec3d& p, double tolerance) {
-  return std::abs(p.z) <= tolerance && std::min(p.x, p.y) >= -tolerance && p.x + p.y <= 1 + tolerance;
-}
-
-bool stands_on(const geometry::PlacedShape& placed, const math::Vec3d& point) {
-  const math::Vec3d p = geometry::apply_point(placed.to_object, point);
-  return std::visit([&](const auto& shape) { return is_on(shape, p, on_surface_tolerance); }, placed.shape);
 }
 
 std::string_view name_of(const ObjectDesc& object) {
@@ -216,7 +191,7 @@ void ObjectsCompiler::keep(Bubble& bubble) {
   scene_.spheres.push_back(bubble.sphere);
 }
 
-void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera) {
+void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path& path) {
   for (Bubble& bubble : bubbles_) keep(bubble);
   std::vector<Placed> all;
   for (const Object& object : scene_.objects) all.push_back({object.shape, object.place_in_file});
@@ -228,15 +203,19 @@ void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path&
     all.push_back({placed(shape), bubble.place_in_file});
   }
   const Names names{objects, path};
-  const Path root, camera_path{&root, "camera"}, position{&camera_path, "position"};
-  for (const Object& object : scene_.objects)  // from a bubble's wall a ray starts as from any other place
-    if (stands_on(object.shape, camera) && !problems_.has(position))
-      problems_.add(position, "expected a place off every surface, got one on " + names.of(object.place_in_file));
   if (object_count > 0) warn_of_coincidence(all, object_count, names, problems_);
   if (!problems_.empty()) return;
   std::vector<int> places;
   for (const Placed& one : all) places.push_back(one.place_in_file);
   warn_of_media(scene_, places, names, problems_);
+}
+
+void ObjectsCompiler::check_camera(const std::vector<ObjectDesc>& objects, const Path& path,
+                                   const math::Vec3d& camera) {
+  const Path root, camera_path{&root, "camera"}, position{&camera_path, "position"};
+  const auto at = object_at(scene_, camera);
+  if (at && !problems_.has(position))
+    problems_.add(position, "expected a place off every surface, got one on " + Names{objects, path}.of(*at));
 }
 
 }  // namespace shabon::scene

@@ -25,10 +25,12 @@ class ObjectsCompiler {
 
   void add(const ObjectDesc& object, const Path& path, int index);
 
-  // After the last object: fills Scene::spheres. Problems between objects follow: those that coincide, and media that
-  // do not meet, are warned of; the camera must not stand on one that is no bubble. `path` leads to the list of
-  // objects.
-  void finish(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera);
+  // After the last object: fills Scene::spheres, and warns of objects that coincide and of media that do not meet.
+  // `path` leads to the list of objects.
+  void finish(const std::vector<ObjectDesc>& objects, const Path& path);
+
+  // After finish(): the camera must not stand on an object that is no bubble.
+  void check_camera(const std::vector<ObjectDesc>& objects, const Path& path, const math::Vec3d& camera);
 
  private:
   struct Bubble {

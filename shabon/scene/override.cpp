@@ -157,7 +157,9 @@ Status set_value(io::YamlDocument& document, std::string_view path, std::string_
   const auto steps = steps_of(path);
   if (!steps) return refuse(path, "expected a path such as objects[0].bubble.radius", Failure::usage);
   if (trim(value).empty()) return refuse(path, "expected a value, got an empty text", Failure::usage);
-  Result<io::YamlDocument> parsed = io::parse_yaml(value, std::string(override_source));
+  // A comment is no value: what begins like one is a colour.
+  const std::string text = trim(value).front() == '#' ? "'" + std::string(trim(value)) + "'" : std::string(value);
+  Result<io::YamlDocument> parsed = io::parse_yaml(text, std::string(override_source));
   if (!parsed) {
     Diagnostics errors = parsed.errors();
     for (Diagnostic& error : errors) error.key = path;

@@ -72,7 +72,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Surface> surfaces;
   std::vector<color::Spectrum> reflectances;  // 0..1 at 1 nm
-  double metres_per_unit = 0.01;              // how long the scene's unit is, for the absorption in solids
+  double metres_per_unit = 1;                 // how long the scene's unit is, for the absorption in solids
   Environment environment;
 };
 

@@ -218,6 +218,22 @@ TEST_F(Probe, ReportsAFullStandardOutput) {
 }
 
 // The library's glass absorbs by a k of about 1e-8: as an outer medium it counts as clear.
+// A ray of its own starts anywhere but on a surface; where the camera stands is of no account then.
+TEST_F(Probe, RaysStartOffSurfaces) {
+  const std::string lamp = "environment: {constant: {illuminant: A, scale: 0.2}}\n";
+  folder.write("wall.yaml",
+               "shabon: 1\n" + lamp +
+                   "objects:\n  - bubble: {film: {medium: soap, thickness: "
+                   "{constant_nm: 400}}}\n  - quad: {position: [0, 0, 5], surface: {diffuse: {color: 0.5}}}\n");
+  EXPECT_EQ(probe({"wall.yaml", "--pixel", "3", "4"}).exit_code, 3);
+  EXPECT_EQ(probe({"wall.yaml", "--ray", "0", "0", "4", "1", "0", "0"}).exit_code, 0);
+  const Outcome on_it = probe({"wall.yaml", "--ray", "0.2", "0.3", "5", "1", "0", "0"});
+  EXPECT_EQ(on_it.exit_code, 2);
+  EXPECT_NE(on_it.err.find("--ray: expected an origin off every surface, got one on objects[1]"), std::string::npos)
+      << on_it.err;
+  EXPECT_EQ(probe({"wall.yaml", "--ray", "0", "0", "1", "1", "0", "0"}).exit_code, 0);  // on the bubble
+}
+
 TEST_F(Probe, ScenesMayLieInGlass) {
   folder.write("glass.yaml", R"(shabon: 1
 image: {width: 21, height: 11}

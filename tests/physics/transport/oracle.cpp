@@ -282,7 +282,7 @@ Matrix eye(const scene::CameraDesc& camera, const Ray& ray, const Vec3d& d) {
     const Vec3d s = any_perpendicular(d);
     return unpolarised(2, {s, math::cross(d, s)});
   }
-  const Point ahead = unit(to_real(camera.look_at - camera.position));
+  const Point ahead = unit(to_real(camera.target() - camera.position));
   const Point right = unit(math::cross(ahead, to_real(camera.up)));
   const Vec3d across = to_double(unit(right - to_real(d) * math::dot(right, to_real(d))));
   const Vec3d upwards = math::cross(across, d);

@@ -40,7 +40,7 @@ inline std::vector<oracle::Ray> camera_rays(const scene::SceneDesc& scene, int c
   Pcg32 random(seed);
   std::vector<oracle::Ray> rays;
   const auto& camera = scene.camera;
-  const math::Vec3d ahead = math::normalize(camera.look_at - camera.position);
+  const math::Vec3d ahead = math::normalize(camera.target() - camera.position);
   const math::Vec3d right = math::normalize(math::cross(ahead, camera.up)), up = math::cross(right, ahead);
   const double half_height = std::tan(camera.vertical_fov_deg.value_or(scene::default_vertical_fov_deg) * std::numbers::pi / 360);
   const double half_width = half_height * scene.image.width / scene.image.height;

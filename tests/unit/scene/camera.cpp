@@ -79,12 +79,27 @@ TEST(Camera, every_projection_has_its_closed_form) {
   }
 }
 
+TEST(Camera, a_panorama_needs_no_target) {
+  SceneDesc description = description_with("panorama");
+  description.camera.look_at.reset();
+  for (const Vec3d& position : {Vec3d{0, 0, 0}, Vec3d{0, 7, 0}, Vec3d{1, 2, 3}}) {
+    description.camera.position = position;
+    description.camera.up = {0, 1, 0};
+    EXPECT_LT(math::length(compiled_camera(description).forward - Vec3d{0, 0, -1}), 1e-12);
+    description.camera.up = {0, 0, -2};
+    EXPECT_LT(math::length(compiled_camera(description).forward - Vec3d{1, 0, 0}), 1e-12);
+  }
+  description.camera.projection = "perspective";
+  description.camera.position = {0, 0, 0};
+  EXPECT_FALSE(compile(description, Resources{}));
+}
+
 TEST(Camera, the_middle_looks_at_the_target_and_the_frame_is_right_handed) {
   for (const ProjectionEntry& entry : projections) {
     const SceneDesc description = description_with(entry.name);
     const Camera camera = compiled_camera(description);
     const CameraRay ray = camera.ray(width / 2.0, height / 2.0);
-    const Vec3d view = description.camera.look_at - description.camera.position;
+    const Vec3d view = description.camera.target() - description.camera.position;
     EXPECT_LT(math::length(ray.direction - math::normalize(view)), 1e-14) << entry.name;
     EXPECT_NEAR(camera.focus_distance, math::length(view), 1e-14);
     EXPECT_LT(math::length(math::cross(camera.right, camera.up) + camera.forward), 1e-14);

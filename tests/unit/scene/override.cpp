@@ -66,6 +66,13 @@ TEST(Override, one_choice_replaces_another) {
   EXPECT_EQ(std::get<StackFilmDesc>(bubble(stack).film).stack, "air | 1.5 20nm | air");
 }
 
+TEST(Override, takes_a_color_without_quotes) {
+  const SceneDesc scene =
+      read_with({"objects=[{quad: {surface: {diffuse: {}}}}]", "objects[0].quad.surface.diffuse.color= #ff8000 "});
+  const auto& quad = std::get<QuadDesc>(scene.objects.at(0));
+  EXPECT_EQ(std::get<DiffuseSurfaceDesc>(quad.surface.chosen).color, (ColorDesc{"#ff8000"}));
+}
+
 TEST(Override, takes_equals_signs_and_spaces_in_the_value) {
   const Status set = [] {
     Result<io::YamlDocument> document = io::parse_yaml(file, "scene.yaml");
