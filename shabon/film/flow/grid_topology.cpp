@@ -105,6 +105,23 @@ CellAround by_offsets(const GridTopology& grid, Index c) {
           .far_sign = {1, -1}};
 }
 
+SeamCell compact(const GridTopology& grid, Index c, const CellAround& around) {
+  SeamCell small{};
+  small.here = static_cast<std::int32_t>(c);
+  for (std::size_t k = 0; k < slots; ++k) {
+    small.cell[k] = static_cast<std::int32_t>(around.cell[k]);
+    small.edge[k] = static_cast<std::int32_t>(around.edge[k]);
+    small.tri[k] = static_cast<std::int32_t>(around.tri[k]);
+    small.across[k] = static_cast<std::int32_t>(around.opposite[k] * grid.cells + around.cell[k]);
+    small.sign[k] = static_cast<float>(around.sign[k]);
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    small.far_edge[n] = static_cast<std::int32_t>(around.far_edge[n]);
+    small.far_sign[n] = static_cast<float>(around.far_sign[n]);
+  }
+  return small;
+}
+
 bool inside(const GridTopology& grid, Index c) {
   if (c >= grid.owned) return false;
   const Index i = c % grid.m + 1, j = c / grid.m % grid.m;
@@ -151,6 +168,7 @@ GridTopology make_topology(int level) {
         if (there.sign[other] != 0 && there.cell[other] == grid.seam[n] && there.edge[other] == here.edge[k])
           here.opposite[k] = static_cast<int>(other);
     }
+    grid.seam_cells.push_back(compact(grid, grid.seam[n], here));
   }
   return grid;
 }

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace shabon::film {
@@ -35,6 +36,15 @@ struct CellAround {
   std::array<double, 2> far_sign;
 };
 
+// The same for sweeps, in little room. `across[k]` is opposite[k] times the number of cells, plus cell[k].
+struct SeamCell {
+  std::int32_t here;
+  std::array<std::int32_t, slots> cell, edge, tri, across;
+  std::array<std::int32_t, 2> far_edge;
+  std::array<float, slots> sign;
+  std::array<float, 2> far_sign;
+};
+
 struct GridTopology {
   int level = 0;
   Index m = 1;       // cells along a panel
@@ -44,6 +54,7 @@ struct GridTopology {
   Index triangles = 20;
   std::vector<Index> seam;  // cells whose numbers follow no constant offsets, the poles last
   std::vector<CellAround> seam_around;
+  std::vector<SeamCell> seam_cells;
 
   // The number of the owned edge to a slot 1, 2, 3 and of the owned triangles 0, 1.
   Index edge_of(Index cell, int slot) const { return (slot - 1) * owned + cell; }

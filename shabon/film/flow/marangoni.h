@@ -2,8 +2,8 @@
 // docs/living-film.md. There is no limit of stability in it.
 #pragma once
 
+#include "shabon/film/flow/elastic_solver.h"
 #include "shabon/film/flow/metric.h"
-#include "shabon/film/flow/multigrid.h"
 
 namespace shabon::film {
 
@@ -49,7 +49,7 @@ class Marangoni {
   Numbers gravity_;          // along the edges, m/s^2
   Numbers free_, coupling_;  // of edges
   Numbers guess_, right_;
-  Multigrid solver_;
+  ElasticSolver solver_;
 };
 
 }  // namespace shabon::film

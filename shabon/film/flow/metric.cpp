@@ -50,6 +50,16 @@ double dot(const double* a, const double* b, Index count) {
   return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
 }
 
+double sum(const double* a, Index count) {
+  constexpr Index block = 8;
+  std::array<double, block> sums{};
+  Index i = 0;
+  for (; i + block <= count; i += block)
+    for (Index j = 0; j < block; ++j) sums[static_cast<std::size_t>(j)] += a[i + j];
+  for (Index j = 0; i < count; ++i, ++j) sums[static_cast<std::size_t>(j)] += a[i];
+  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
 double integral(const Metric& metric, const Numbers& cells) {
   return dot(metric.area.data(), cells.data(), metric.topology().cells);
 }

@@ -23,6 +23,8 @@ struct Metric {
 // Sums over blocks of fixed size: the same bits whatever registers the compiler uses. `a` and `b` have `count` numbers.
 double dot(const double* a, const double* b, Index count);
 
+double sum(const double* a, Index count);
+
 // Sum of value times area over the sphere.
 double integral(const Metric& metric, const Numbers& cells);
 

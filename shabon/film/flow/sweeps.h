@@ -55,9 +55,10 @@ struct InnerAround {
 
 // By the cell's table.
 struct SeamAround {
-  const CellAround* around;
+  const SeamCell* around;
   Index c;
 
+  explicit SeamAround(const SeamCell& table) : around(&table), c(table.here) {}
   template <int k>
   Index cell() const {
     return around->cell[k];
@@ -72,11 +73,11 @@ struct SeamAround {
   }
   template <int k>
   double sign() const {
-    return around->sign[k];
+    return static_cast<double>(around->sign[k]);
   }
   template <int k>
-  Index across(Index cells) const {
-    return around->opposite[k] * cells + around->cell[k];
+  Index across(Index) const {
+    return around->across[k];
   }
   template <int which>
   Index far_edge() const {
@@ -84,7 +85,7 @@ struct SeamAround {
   }
   template <int which>
   double far_sign() const {
-    return around->far_sign[which];
+    return static_cast<double>(around->far_sign[which]);
   }
 };
 
@@ -113,8 +114,8 @@ inline void sweep(const GridTopology& grid, const Kernel kernel, bool poles) {
   const Index m = grid.m, n = grid.owned;
 #pragma GCC ivdep
   for (Index c = 0; c < n; ++c) kernel(InnerAround{m, n, c});
-  const std::size_t last = grid.seam.size() - (poles ? 0 : 2);
-  for (std::size_t s = 0; s < last; ++s) kernel(SeamAround{&grid.seam_around[s], grid.seam[s]});
+  const std::size_t last = grid.seam_cells.size() - (poles ? 0 : 2);
+  for (std::size_t s = 0; s < last; ++s) kernel(SeamAround(grid.seam_cells[s]));
 }
 
 // Kernels that write one value a cell.

@@ -52,6 +52,23 @@ TEST_P(Grid, NeighboursAgreeWhoTheyAre) {
   EXPECT_EQ(std::set<int>(corners.begin(), corners.end()), std::set<int>{3});
 }
 
+// What a sweep sees around a cell.
+template <class Around>
+void expect_same(const Around& seen, const CellAround& table, Index cells) {
+  each_slot([&](auto slot) {
+    constexpr int k = slot.value;
+    EXPECT_EQ(seen.template cell<k>(), table.cell[k]);
+    EXPECT_EQ(seen.template edge<k>(), table.edge[k]);
+    EXPECT_EQ(seen.template tri<k>(), table.tri[k]);
+    EXPECT_EQ(seen.template sign<k>(), table.sign[k]);
+    EXPECT_EQ(seen.template across<k>(cells), table.opposite[k] * cells + table.cell[k]);
+  });
+  EXPECT_EQ(seen.template far_edge<0>(), table.far_edge[0]);
+  EXPECT_EQ(seen.template far_edge<1>(), table.far_edge[1]);
+  EXPECT_EQ(seen.template far_sign<0>(), table.far_sign[0]);
+  EXPECT_EQ(seen.template far_sign<1>(), table.far_sign[1]);
+}
+
 // What the compiler knows of a panel's inside is what the tables say.
 TEST_P(Grid, ConstantOffsetsAreTheTables) {
   std::size_t inside = 0;
@@ -60,20 +77,10 @@ TEST_P(Grid, ConstantOffsetsAreTheTables) {
     ++inside;
     const CellAround table = topology_.around(c);
     const InnerAround inner{topology_.m, topology_.owned, c};
-    const SeamAround seam{&table, c};
-    each_slot([&](auto slot) {
-      constexpr int k = slot.value;
-      EXPECT_EQ(inner.cell<k>(), seam.cell<k>());
-      EXPECT_EQ(inner.edge<k>(), seam.edge<k>());
-      EXPECT_EQ(inner.tri<k>(), seam.tri<k>());
-      EXPECT_EQ(inner.sign<k>(), seam.sign<k>());
-      EXPECT_EQ(inner.across<k>(topology_.cells), seam.across<k>(topology_.cells));
-    });
-    EXPECT_EQ(inner.far_edge<0>(), seam.far_edge<0>());
-    EXPECT_EQ(inner.far_edge<1>(), seam.far_edge<1>());
-    EXPECT_EQ(inner.far_sign<0>(), seam.far_sign<0>());
-    EXPECT_EQ(inner.far_sign<1>(), seam.far_sign<1>());
+    expect_same(inner, table, topology_.cells);
   }
+  for (std::size_t n = 0; n < topology_.seam.size(); ++n)
+    expect_same(SeamAround(topology_.seam_cells[n]), topology_.seam_around[n], topology_.cells);
   EXPECT_EQ(inside + topology_.seam.size(), static_cast<std::size_t>(topology_.cells));
 }
 
