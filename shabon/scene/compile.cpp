@@ -52,6 +52,7 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   Scene scene;
   scene.render = compile_settings(description.render);
   scene.metres_per_unit = description.metres_per_unit;
+  scene.time_s = description.time_s;
   const Path environment{&root, "environment"}, objects{&root, "objects"};
   scene.development = compile_development(description.image, Path{&root, "image"}, resources, problems);
   LampChannels lamps(resources, problems);

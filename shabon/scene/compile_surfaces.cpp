@@ -44,7 +44,7 @@ std::optional<Film> SurfaceCompiler::film(const FilmDesc& film, const Path& path
   for (const optics::Layer& layer : parts->layers) media_.warn_outside_range(layer.medium, path);
   Film result{parts->layers, parts->varied_layer, {}, {}};
   if (const auto model = thickness_model(parts->thickness)) {
-    result.thickness = film::at_time(*model, 0);
+    result.thickness = film::at_time(*model, scene_.time_s);
   } else {
     const Path vary{&path, "vary"};
     const Path thickness{std::holds_alternative<StackFilmDesc>(film) ? &vary : &path, "thickness"};
@@ -86,7 +86,7 @@ std::optional<Coating> SurfaceCompiler::coating(const CoatingDesc& coating, cons
   if (!check_varied(*coating.vary, found->layers.size(), vary, problems_)) return {};
   result.varied.emplace().layer = static_cast<std::size_t>(coating.vary->layer - 1);
   if (const auto model_nm = thickness_model(coating.vary->thickness)) {
-    result.varied->thickness_nm = film::at_time(*model_nm, 0);
+    result.varied->thickness_nm = film::at_time(*model_nm, scene_.time_s);
   } else {
     const Path thickness{&vary, "thickness"}, map{&thickness, about(Of<ThicknessMapDesc>{}).name};
     const auto& picture = std::get<ThicknessMapDesc>(coating.vary->thickness);

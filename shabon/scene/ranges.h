@@ -14,6 +14,7 @@ inline constexpr Range angle_range_deg{.low = -36000, .high = 36000};  // a hund
 inline constexpr Range below_half_turn_deg{.low = 0, .high = 180, .low_open = true, .high_open = true};
 inline constexpr Range up_to_half_turn_deg{.low = 0, .high = 180, .low_open = true};
 inline constexpr Range elevation_range_deg{.low = 0, .high = 90};
+inline constexpr Range time_range_s{.low = 0, .high = 1e9};
 inline constexpr Range scale_range{.low = 0, .high = 1e9};  // its square still fits a float
 inline constexpr Range side_range{.low = 1, .high = 65536};
 inline constexpr Range samples_range{.low = 1, .high = 1e6};

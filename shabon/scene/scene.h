@@ -61,6 +61,7 @@ struct RenderSettings {
 };
 
 struct Scene {
+  double time_s = 0;  // the moment it shows: films are as they are then
   int width = 800, height = 600;
   Camera camera;
   PixelFilter filter;

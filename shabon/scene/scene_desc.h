@@ -82,6 +82,7 @@ inline constexpr int scene_file_version = 1;
 struct SceneDesc {
   int shabon = scene_file_version;
   double metres_per_unit = 1;
+  double time_s = 0;
   ImageDesc image;
   CameraDesc camera;
   RenderDesc render;

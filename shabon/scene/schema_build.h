@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shabon/base/field.h"
-#include "shabon/scene/choice.h"
-#include "shabon/scene/indirect.h"
+#include "shabon/base/choice.h"
+#include "shabon/base/indirect.h"
 #include "shabon/scene/schema.h"
 #include "shabon/scene/value.h"
 

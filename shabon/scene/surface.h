@@ -5,7 +5,7 @@
 #include <tuple>
 #include <variant>
 
-#include "shabon/scene/choice.h"
+#include "shabon/base/choice.h"
 #include "shabon/scene/surfaces/conductor.h"
 #include "shabon/scene/surfaces/dielectric.h"
 #include "shabon/scene/surfaces/diffuse.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "shabon/scene/choice.h"
+#include "shabon/base/choice.h"
 #include "shabon/scene/film_desc.h"
 
 namespace shabon::scene {

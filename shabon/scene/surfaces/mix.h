@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "shabon/scene/indirect.h"
+#include "shabon/base/indirect.h"
 #include "shabon/scene/texture.h"
 #include "shabon/scene/texture_desc.h"
 

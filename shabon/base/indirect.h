@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace shabon::scene {
+namespace shabon {
 
 template <class T>
 class Indirect {
@@ -31,4 +31,4 @@ class Indirect {
   std::unique_ptr<T> value_;
 };
 
-}  // namespace shabon::scene
+}  // namespace shabon

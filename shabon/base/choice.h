@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-namespace shabon::scene {
+namespace shabon {
 
 template <class Struct, class Variant>
 struct Choice {
@@ -11,4 +11,4 @@ struct Choice {
 template <class Struct, class Variant>
 Choice(Variant Struct::*) -> Choice<Struct, Variant>;
 
-}  // namespace shabon::scene
+}  // namespace shabon
