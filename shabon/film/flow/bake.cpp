@@ -1,5 +1,8 @@
 #include "shabon/film/flow/bake.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "shabon/film/flow/locate.h"
 
 namespace shabon::film {
@@ -18,6 +21,21 @@ FlowBake::FlowBake(const FilmFlow& flow, std::span<const math::Vec3d> directions
     from = static_cast<std::size_t>(place.cell[0]);
     points_.push_back(point);
   }
+}
+
+std::vector<math::Vec3d> latitude_longitude_directions(int width, int height) {
+  constexpr double pi = std::numbers::pi;
+  std::vector<math::Vec3d> directions;
+  directions.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int row = 0; row < height; ++row) {
+    const double polar = (row + 0.5) * pi / height;
+    for (int column = 0; column < width; ++column) {
+      const double azimuth = ((column + 0.5) / width - 0.5) * 2 * pi;
+      directions.push_back(
+          {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)});
+    }
+  }
+  return directions;
 }
 
 void FlowBake::sample(std::span<const double> values, double scale, std::span<float> out) const {

@@ -30,4 +30,8 @@ class FlowBake {
   std::vector<Point> points_;
 };
 
+// Where the middles of a latitude-longitude picture's pixels lie, row after row from the top, as in latitude_map.h; of
+// a cube picture's: node_directions() in sphere_map.h.
+std::vector<math::Vec3d> latitude_longitude_directions(int width, int height);
+
 }  // namespace shabon::film

@@ -8,6 +8,9 @@
 #include <thread>
 
 #include "shabon/film/flow/bake.h"
+#include "shabon/film/flow/presets.h"
+#include "shabon/film/latitude_map.h"
+#include "shabon/film/sphere_map.h"
 
 namespace shabon::film {
 namespace {
@@ -183,6 +186,51 @@ TEST(FlowBake, IsLinearBetweenCells) {
   for (std::size_t i = 0; i < cells; ++i) EXPECT_NEAR(nm[i], flow->thickness_m()[i] * 1e9, 1e-3);
   for (std::size_t i = cells; i < places.size(); ++i)
     EXPECT_NEAR(nm[i], 800 * (1 + 0.2 * places[i].x - 0.1 * places[i].z), 0.02);
+}
+
+// The picture of a thickness, looked up as the renderer does, is that thickness.
+TEST(FlowBake, FillsTheRenderersPictures) {
+  FlowDesc desc;
+  desc.level = 5;
+  desc.initial.noise = 0;
+  const auto nm_at = [](const Vec3d& at) { return 800 * (1 + 0.2 * at.x - 0.1 * at.y + 0.3 * at.z); };
+  const auto flow = FilmFlow::start(desc, nm_at);
+  ASSERT_TRUE(flow.ok());
+  constexpr int width = 256, height = 128;
+  auto raster = std::make_shared<math::Raster>();
+  raster->width = width, raster->height = height, raster->channels = 1;
+  raster->values.resize(width * height);
+  FlowBake(*flow, latitude_longitude_directions(width, height)).thickness_nm(*flow, raster->values);
+  SphereMap cube;
+  cube.size = 65;
+  const auto nodes = node_directions(cube.size);
+  cube.nm.resize(nodes.size());
+  FlowBake(*flow, nodes).thickness_nm(*flow, cube.nm);
+  const LatitudeMap latitude{raster};
+  for (int i = 0; i < 500; ++i) {
+    const double z = -0.95 + 0.0038 * i, turn = 2.4 * i;
+    const Vec3d at{std::sqrt(1 - z * z) * std::cos(turn), z, std::sqrt(1 - z * z) * std::sin(turn)};
+    EXPECT_NEAR(thickness_nm(latitude, at), nm_at(at), 0.5);
+    EXPECT_NEAR(thickness_nm(cube, at), nm_at(at), 0.5);
+  }
+}
+
+TEST(FlowPresets, AreValidAndRun) {
+  std::vector<std::string_view> names;
+  for (const FlowPreset& preset : flow_presets()) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), preset.name), 0) << preset.name;
+    names.push_back(preset.name);
+    EXPECT_EQ(flow_preset(preset.name), &preset);
+    EXPECT_TRUE(preset.doc.ends_with('.')) << preset.name;
+    FlowDesc desc = preset.desc;
+    desc.level = 3;
+    FilmFlow flow = started(desc);
+    const Status done = flow.advance_to(0.5);
+    EXPECT_TRUE(done.ok()) << preset.name << to_text(done.errors());
+    EXPECT_GT(flow.report().fastest_m_s, 0.001) << preset.name;
+  }
+  EXPECT_GE(names.size(), 7u);
+  EXPECT_EQ(flow_preset("no such film"), nullptr);
 }
 
 }  // namespace
