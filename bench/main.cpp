@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bench/desk/sweeps.h"
+#include "bench/film/flow_speed.h"
 #include "bench/geometry/next_shape.h"
 #include "bench/geometry/next_wall.h"
 #include "bench/machine.h"
@@ -52,6 +53,7 @@ Status run(const Options& options, bench::Report& report) {
     done = bench::bench_shares(report, options.quick ? quick_share_seconds : share_seconds);
   if (done && options.wants("geometry")) done = bench::bench_next_wall(report, repeat);
   if (done && options.wants("geometry")) done = bench::bench_next_shape(report, repeat);
+  if (done && options.wants("film")) done = bench::bench_flow(report, repeat, options.quick);
   if (done && !options.json.empty()) done = io::write_file_atomically(options.json, report.json());
   if (done && !options.update.empty()) done = bench::update_page(options.update, report.markdown());
   return done;
@@ -63,9 +65,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measures Shabon on this machine; about nine minutes. Keep the machine free of other work.");
   Options options;
   app.add_flag("--quick", options.quick, "Few repetitions: to see that everything runs");
-  app.add_option("--only", options.only, "Some of: optics, desk, render, noise, transports, shares, geometry")
+  app.add_option("--only", options.only, "Some of: optics, desk, render, noise, transports, shares, geometry, film")
       ->delimiter(',')
-      ->check(CLI::IsMember({"optics", "desk", "render", "noise", "transports", "shares", "geometry"}));
+      ->check(CLI::IsMember({"optics", "desk", "render", "noise", "transports", "shares", "geometry", "film"}));
   app.add_option("--json", options.json, "Also writes all figures to this file");
   app.add_option("--update", options.update, "Also puts the report into this page, between its bench marks");
   constexpr int usage = 2;

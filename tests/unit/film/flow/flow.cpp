@@ -130,6 +130,20 @@ TEST(FilmFlow, StopsWithItsLastGoodStateAndSaysWhatToChange) {
   EXPECT_NE(to_text(unsolved.errors()).find("step.most_iterations"), std::string::npos);
 }
 
+// A film at rest that a storm takes along: the first steps turn out too long and are taken back.
+TEST(FilmFlow, NeverCrossesMoreCellsThanItMay) {
+  FlowDesc desc;
+  desc.level = 3;
+  desc.mean_thickness_nm = 200;
+  desc.gravity_m_s2 = {0, 0, 0};
+  desc.air = {AirRotation{.speed_m_s = 10, .envelope = {.ramp_s = 0}}};
+  FilmFlow flow = started(desc);
+  ASSERT_TRUE(flow.advance_to(0.05).ok());
+  EXPECT_GT(flow.report().repeated, 0);
+  EXPECT_GT(flow.report().courant, 0.3);
+  EXPECT_LE(flow.report().courant, 0.6);
+}
+
 TEST(FilmFlow, StopsWhenAsked) {
   FilmFlow flow = started(busy_film(1));
   const StopFlag stop{true};

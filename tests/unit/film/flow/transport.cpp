@@ -54,6 +54,14 @@ TEST(DeformingFlow, BringsTwoBellsBackWithinTheirBounds) {
   EXPECT_LT(result.most, 1 + 1e-13);
 }
 
+// A dent in a plateau: what flows up its sides must not rise above the rim.
+TEST(Dent, KeepsItsRim) {
+  const auto dent = [](const Vec3d& p) { return 1 - 0.9 * bell(p, start, 0.6); };
+  const auto result = carry(level - 1, test::rotation_about(axes[1]), dent, 0.5);
+  EXPECT_GT(result.least, 0.1 - 1e-13);
+  EXPECT_LT(result.most, 1 + 1e-13);
+}
+
 // A ratio that is the same everywhere stays so in any flow, also one with sources.
 TEST(Transport, KeepsAUniformRatioUniform) {
   const Metric metric(sphere_grid(3), 1);
