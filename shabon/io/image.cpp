@@ -16,11 +16,12 @@ struct Signature {
   std::string_view name, bytes;
 };
 
-constexpr std::string_view exr_signature("\x76\x2F\x31\x01", 4), hdr_signature("#?"), png_signature("\x89PNG");
+constexpr std::string_view exr_signature("\x76\x2F\x31\x01", 4), hdr_signature("#?"), png_signature("\x89PNG"),
+    jpeg_signature("\xFF\xD8\xFF");
 
 // Kinds that people try, to name them instead of calling them unknown.
 constexpr std::array known_signatures{
-    Signature{"PNG", png_signature}, Signature{"JPEG", "\xFF\xD8\xFF"}, Signature{"TIFF", {"II*\0", 4}},
+    Signature{"PNG", png_signature}, Signature{"JPEG", jpeg_signature}, Signature{"TIFF", {"II*\0", 4}},
     Signature{"TIFF", {"MM\0*", 4}}, Signature{"GIF", "GIF8"},          Signature{"PFM", "PF\n"},
     Signature{"DirectDraw", "DDS "},
 };
@@ -50,9 +51,10 @@ Result<TextureImage> read_texture_image(const std::filesystem::path& path) {
   const Result<std::string> bytes = read_file(path, picture_max_bytes);
   if (!bytes) return bytes.errors();
   if (bytes->starts_with(png_signature)) return decode_png_texture(*bytes, source);
+  if (bytes->starts_with(jpeg_signature)) return decode_jpeg_texture(*bytes, source);
   if (bytes->starts_with(exr_signature)) return decode_exr_texture(*bytes, source);
   if (!bytes->starts_with(hdr_signature))
-    return unknown_picture(*bytes, source, "PNG (.png), OpenEXR (.exr) or Radiance (.hdr)");
+    return unknown_picture(*bytes, source, "PNG (.png), JPEG (.jpg), OpenEXR (.exr) or Radiance (.hdr)");
   Result<RgbImage> colors = decode_hdr(*bytes, source);
   if (!colors) return colors.errors();
   return texture_of(std::move(*colors));

@@ -18,7 +18,7 @@ namespace shabon::scene {
 // A picture as its file holds it.
 struct TextureFile {
   math::Raster raster;         // one channel, or three: red, green and blue
-  bool whole_numbers = false;  // PNG: 0..1 of the largest number, colours encoded as sRGB; else linear, as they stand
+  bool whole_numbers = false;  // PNG, JPEG: 0..1 of the largest number, colours encoded as sRGB; else linear, as they stand
   int bits = 0;                // of whole numbers
   int negatives = 0;           // values that were below zero and became 0
 };

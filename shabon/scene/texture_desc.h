@@ -34,7 +34,7 @@ struct ThicknessMapDesc {
   Repeat repeat;
 };
 
-// A picture of reflectances: encoded sRGB in whole numbers (PNG), linear sRGB in floating ones.
+// A picture of reflectances: encoded sRGB in whole numbers (PNG, JPEG), linear sRGB in floating ones.
 struct ColorMapDesc {
   std::string file;  // relative to the scene file
   Repeat repeat;
@@ -48,7 +48,8 @@ constexpr auto fields(Of<NumberMapDesc>) {
   return std::tuple{
       Field{"file",
             &NumberMapDesc::file,
-            {.required = true, .doc = "PNG, OpenEXR or HDR picture, relative to the scene file; of colours the mean"}},
+            {.required = true,
+             .doc = "PNG, JPEG, OpenEXR or HDR picture, relative to the scene file; of colours the mean"}},
       Field{"low", &NumberMapDesc::low, {.range = share_range, .doc = "the number where the picture is 0 (black)"}},
       Field{"high", &NumberMapDesc::high, {.range = share_range, .doc = "the number where the picture is 1 (white)"}},
       Field{"repeat", &NumberMapDesc::repeat, repeat_info}};
@@ -66,7 +67,8 @@ constexpr auto fields(Of<ThicknessMapDesc>) {
   return std::tuple{
       Field{"file",
             &ThicknessMapDesc::file,
-            {.required = true, .doc = "PNG, OpenEXR or HDR picture, relative to the scene file; of colours the mean"}},
+            {.required = true,
+             .doc = "PNG, JPEG, OpenEXR or HDR picture, relative to the scene file; of colours the mean"}},
       Field{"low_nm", &ThicknessMapDesc::low_nm, low}, Field{"high_nm", &ThicknessMapDesc::high_nm, high},
       Field{"repeat", &ThicknessMapDesc::repeat, repeat_info}};
 }
@@ -77,7 +79,7 @@ constexpr auto fields(Of<ColorMapDesc>) {
       Field{"file",
             &ColorMapDesc::file,
             {.required = true,
-             .doc = "PNG (encoded sRGB), OpenEXR or HDR picture (linear sRGB), relative to the scene file"}},
+             .doc = "PNG or JPEG (encoded sRGB), OpenEXR or HDR picture (linear sRGB), relative to the scene file"}},
       Field{"repeat", &ColorMapDesc::repeat, repeat_info}};
 }
 

@@ -286,7 +286,7 @@ TEST(TextureImage, TellsKindsApart) {
   const Scratch scratch;
   EXPECT_TRUE(read_texture_image(scratch.put("a", png_of(png_kinds[4], 3, 3, false)))->whole_numbers);
   EXPECT_TRUE(fails(read_texture_image(scratch.put("b", "GIF89a")), Failure::content,
-                    "expected a picture in PNG (.png), OpenEXR (.exr) or Radiance (.hdr), got GIF"));
+                    "expected a picture in PNG (.png), JPEG (.jpg), OpenEXR (.exr) or Radiance (.hdr), got GIF"));
   EXPECT_TRUE(fails(read_texture_image(scratch.put("c", "")), Failure::content, "an empty file"));
   EXPECT_TRUE(fails(read_texture_image(scratch / "none"), Failure::file, ""));
   std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n";
