@@ -73,8 +73,9 @@ struct SampledDirection {
 };
 
 // A random direction from a point towards the shape, whichever side it sees. A whole sphere with uniform scale, seen
-// from outside: uniform over the cone that it fills, towards its near side. Else a point by sample_area(). None where
-// the point lies in the plane of a flat shape or is the chosen one.
+// from outside: uniform over the cone that it fills, towards its near side. A quad that fills more than 1e-5
+// steradians: uniform over what it fills. Else a point by sample_area(). None where the point lies in the plane of a
+// flat shape or is the chosen one.
 std::optional<SampledDirection> sample_toward(const PlacedShape& placed, math::Vec3d from, double u1, double u2);
 
 // The density, per steradian, with which sample_toward() chooses the crossing at `distance` along `direction`: the

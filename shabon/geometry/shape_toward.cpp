@@ -1,5 +1,6 @@
 #include "shabon/geometry/shape.h"
 #include "shabon/geometry/sphere.h"
+#include "shabon/geometry/spherical_rectangle.h"
 
 namespace shabon::geometry {
 
@@ -50,6 +51,20 @@ Vec3d direction_in(const Cone& cone, double u1, double u2) {
   return math::normalize(cone.axis * (1 - one_minus_cos) + s * (sine * std::cos(phi)) + t * (sine * std::sin(phi)));
 }
 
+// A rectangle that is seen under more than this: below, its points by area are as even, and more exact.
+constexpr double least_steradians = 1e-5;
+
+std::optional<SphericalRectangle> rectangle_of(const PlacedShape& placed, Vec3d from) {
+  constexpr double rounding = 1e-12;
+  if (!std::holds_alternative<Quad>(placed.shape)) return {};
+  const Affine& to = placed.to_world;
+  if (!(std::abs(dot(to.x, to.y)) <= rounding * math::length(to.x) * math::length(to.y))) return {};  // sheared
+  const SphericalRectangle seen(to.origin - from, to.x, to.y);
+  const bool aside = seen.above() > rounding * (math::length(to.x) + math::length(to.y));
+  if (!aside || !(seen.solid_angle() >= least_steradians)) return {};
+  return seen;
+}
+
 double pdf_by_area(const PlacedShape& placed, Vec3d from, Vec3d direction, double distance) {
   const Vec3d d = apply_vector(placed.to_object, direction);
   const Vec3d p = apply_vector(placed.to_object, from - placed.to_world.origin) + d * distance;
@@ -68,6 +83,7 @@ double pdf_by_area(const PlacedShape& placed, Vec3d from, Vec3d direction, doubl
 }  // namespace
 
 double pdf_toward(const PlacedShape& placed, Vec3d from, Vec3d direction, double distance) {
+  if (const auto rectangle = rectangle_of(placed, from)) return 1 / rectangle->solid_angle();
   const auto cone = cone_of(placed, from);
   if (!cone) return pdf_by_area(placed, from, direction, distance);
   return distance <= near_side(placed, from, direction).middle ? pdf_in(*cone) : 0;
@@ -77,6 +93,11 @@ std::optional<SampledDirection> sample_toward(const PlacedShape& placed, Vec3d f
   if (const auto cone = cone_of(placed, from)) {
     const Vec3d direction = direction_in(*cone, u1, u2);
     return SampledDirection{direction, near_side(placed, from, direction).distance, pdf_in(*cone)};
+  }
+  if (const auto rectangle = rectangle_of(placed, from)) {
+    const Vec3d to_point = rectangle->sample(u1, u2);
+    const double distance = math::length(to_point);
+    return SampledDirection{to_point * (1 / distance), distance, 1 / rectangle->solid_angle()};
   }
   const Vec3d to_point = sample_area(placed, u1, u2).at.position - from;
   const double distance = math::length(to_point);

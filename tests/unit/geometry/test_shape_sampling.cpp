@@ -131,6 +131,35 @@ TEST(Sphere, ConesAreExactHoweverTiny) {
   }
 }
 
+// Of a rectangle all directions are equally likely, also from right before it, beside it, and nearly in its plane.
+TEST(Quad, DirectionsAreUniform) {
+  const PlacedShape placed = place(Quad{}, placement({0.3, -0.2, 0.1}, {25, -40, 70}, {2, 0.5, 1}));
+  Pcg32 random(17);
+  for (const Vec3d seen : {Vec3d{0, 0, 1}, {0, 0, -0.01}, {0.9, 0.9, 0.05}, {3, 0.2, 0.3}, {-2, 5, 1}, {1, 1, 1e-3}}) {
+    const Vec3d from = apply_point(placed.to_world, seen);
+    constexpr int n = 400;
+    double inside = 0, pdf = 0;
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < n; ++k) {
+        const auto toward = sample_toward(placed, from, (i + random.uniform()) / n, (k + random.uniform()) / n);
+        ASSERT_TRUE(toward);
+        ASSERT_EQ(toward->pdf, pdf_toward(placed, from, toward->direction, toward->distance));
+        ASSERT_TRUE(pdf == 0 || pdf == toward->pdf);
+        pdf = toward->pdf;
+        const Vec3d p = apply_point(placed.to_object, from + toward->direction * toward->distance);
+        ASSERT_NEAR(p.z, 0, 1e-9);
+        ASSERT_LE(std::max(std::abs(p.x), std::abs(p.y)), 1 + 1e-9);
+        inside += p.x < 0.25 && p.y < -0.5;
+      }
+    // A part of it, which is a rectangle again, gets its share.
+    const PlacedShape part =
+        place(Quad{}, compose(placed.to_world, placement({-0.375, -0.75, 0}, {}, {0.625, 0.25, 1})));
+    const auto toward_part = sample_toward(part, from, 0.5, 0.5);
+    ASSERT_TRUE(toward_part);
+    EXPECT_NEAR(inside / (n * n), pdf / toward_part->pdf, 2e-3) << seen.x << " " << seen.y << " " << seen.z;
+  }
+}
+
 TEST(Sphere, TheFarSideIsNeverChosen) {
   const PlacedShape placed = place(SphereCap{}, placement({0, 0, -4}, {}, {1, 1, 1}));
   const double near = pdf_toward(placed, {}, {0, 0, -1}, 3);
