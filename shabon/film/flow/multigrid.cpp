@@ -148,7 +148,7 @@ void Multigrid::add_correction(Level& fine, const Level& coarse) {
   for (Index row = 0; row < rows; ++row) {
     const float *here = from + row * m, *above = here + m;
     float *even = rise + 4 * row * m, *odd = even + 2 * m;
-#pragma GCC ivdep
+    SHABON_INDEPENDENT
     for (Index i = 0; i < m; ++i) {
       even[2 * i] = 0.5F * (here[i - 1] + here[i]);
       even[2 * i + 1] = here[i];

@@ -7,6 +7,13 @@
 #include <span>
 #include <vector>
 
+// Before a loop whose steps do not depend on each other, although the compiler cannot know.
+#if defined(__GNUC__) && !defined(__clang__)
+#define SHABON_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SHABON_INDEPENDENT
+#endif
+
 namespace shabon::film {
 
 template <class T>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "shabon/film/flow/grid_topology.h"
+#include "shabon/film/flow/padded.h"
 
 namespace shabon::film {
 
@@ -112,7 +113,7 @@ template <class Body>
 template <class Kernel>
 inline void sweep(const GridTopology& grid, const Kernel kernel, bool poles) {
   const Index m = grid.m, n = grid.owned;
-#pragma GCC ivdep
+  SHABON_INDEPENDENT
   for (Index c = 0; c < n; ++c) kernel(InnerAround{m, n, c});
   const std::size_t last = grid.seam_cells.size() - (poles ? 0 : 2);
   for (std::size_t s = 0; s < last; ++s) kernel(SeamAround(grid.seam_cells[s]));
