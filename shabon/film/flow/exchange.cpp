@@ -16,6 +16,7 @@ using math::Vec3d;
 using std::numbers::pi;
 
 constexpr double collapse_s = 0.1;  // in which film too thin to stand turns black
+constexpr double rim_ratio = 2;     // a front runs on into its own rim up to so many times the nucleation thickness
 
 // Towards the lowest point.
 Vec3d downwards(const FlowDesc& desc) {
@@ -36,7 +37,8 @@ Vec3d random_direction(Pcg32& random, const Vec3d& axis, double from_deg, double
 }
 
 // A film element of the ratio's thickness instead of what was there.
-void lay_patch(const Metric& metric, const RegenerationDesc& source, const Vec3d& centre, FilmState& state) {
+void lay_patch(const Metric& metric, const RegenerationDesc& source, const Vec3d& centre, double least_m,
+               FilmState& state) {
   constexpr double reach = 3.5;  // radii; exp(-12) is nothing
   const double per_radius = metric.radius / source.patch_radius_m,
                least_cos = std::cos(std::min(pi, reach / per_radius));
@@ -45,8 +47,8 @@ void lay_patch(const Metric& metric, const RegenerationDesc& source, const Vec3d
     if (cosine < least_cos) continue;
     const double angle = std::acos(std::min(cosine, 1.0)) * per_radius;
     const double before = state.thickness[c];
-    const double after = before * (1 - (1 - source.ratio) * std::exp(-angle * angle));
-    if (after < thinnest_film_m) continue;
+    const double wanted = before * (1 - (1 - source.ratio) * std::exp(-angle * angle));
+    const double after = std::max(wanted, std::min(before, least_m));
     state.thickness[c] = after;
     state.drop_m3 += (before - after) * metric.area[c];
   }
@@ -91,7 +93,8 @@ void regenerate(const Metric& metric, const FlowDesc& desc, double end_s, FilmSt
   while (source.rate_per_s > 0) {
     Pcg32 random(hash64(seed, static_cast<std::uint64_t>(state.patches)), 7);
     if (time_of(random) >= end_s) return;
-    lay_patch(metric, source, random_direction(random, downwards(desc), source.from_deg, source.to_deg), state);
+    const Vec3d place = random_direction(random, downwards(desc), source.from_deg, source.to_deg);
+    lay_patch(metric, source, place, floor_m(desc), state);
     ++state.patches;
   }
 }
@@ -108,13 +111,14 @@ void collapse(const Metric& metric, const FlowDesc& desc, double end_s, double s
     return;
   }
   mark_spots(metric, desc, end_s, state, chosen);
-  // What each cell gives away, and to how many: to neighbours that are not black and thicker than itself.
+  // What each cell gives away, and to how many: to neighbours that are not black and no thinner than itself.
   const double grows = 1 - std::exp(-step_s * black.front_m_s / metric.least_distance);
   const double falls = 1 - std::exp(-step_s / collapse_s), unstable = (rest + nucleation) / 2;
+  const double rim = rim_ratio * nucleation;
   std::vector<double> given(cells, 0.0);
-  const auto takes = [&](double giver, double taker) { return taker > giver && !is_black(black, taker); };
+  const auto takes = [&](double giver, double taker) { return taker >= giver && !is_black(black, taker); };
   for (std::size_t c = 0; c < cells; ++c) {
-    if (!(h[c] < nucleation && h[c] > rest)) continue;
+    if (!(h[c] < rim && h[c] > rest)) continue;
     const CellAround around = metric.topology().around(static_cast<Index>(c));
     bool beside_black = false;
     double takers = 0;
@@ -125,7 +129,8 @@ void collapse(const Metric& metric, const FlowDesc& desc, double end_s, double s
       takers += takes(h[c], there) ? 1 : 0;
     }
     if (takers == 0) continue;
-    const double share = std::max({chosen[c] ? 1.0 : 0.0, beside_black ? grows : 0.0, h[c] < unstable ? falls : 0.0});
+    const double share = std::max(
+        {chosen[c] && h[c] < nucleation ? 1.0 : 0.0, beside_black ? grows : 0.0, h[c] < unstable ? falls : 0.0});
     given[c] = (h[c] - rest) * metric.area[c] * share / takers;
   }
   Numbers next = h;
