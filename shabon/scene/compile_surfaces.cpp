@@ -43,16 +43,24 @@ std::optional<Film> SurfaceCompiler::film(const FilmDesc& film, const Path& path
   media_.warn_outside_range(parts->outside, path);
   for (const optics::Layer& layer : parts->layers) media_.warn_outside_range(layer.medium, path);
   Film result{parts->layers, parts->varied_layer, {}, {}};
-  if (const auto model = thickness_model(parts->thickness)) {
-    result.thickness = film::at_time(*model, scene_.time_s);
-  } else {
-    const Path vary{&path, "vary"};
-    const Path thickness{std::holds_alternative<StackFilmDesc>(film) ? &vary : &path, "thickness"};
-    const Path map{&thickness, about(Of<ThicknessMapDesc>{}).name};
-    result.thickness_map_nm =
-        NumberTexture{0, textures_.thickness_nm(std::get<ThicknessMapDesc>(parts->thickness), map)};
-  }
+  const Path vary{&path, "vary"};
+  const Path thickness{std::holds_alternative<StackFilmDesc>(film) ? &vary : &path, "thickness"};
+  const auto found = thickness_nm(parts->thickness, thickness);
+  if (const auto* field = std::get_if<film::ThicknessField>(&found))
+    result.thickness = *field;
+  else
+    result.thickness_map_nm = std::get<NumberTexture>(found);
   return result;
+}
+
+std::variant<film::ThicknessField, NumberTexture> SurfaceCompiler::thickness_nm(const ThicknessDesc& thickness,
+                                                                                const Path& path) {
+  if (const auto model = thickness_model(thickness)) return film::at_time(*model, scene_.time_s);
+  const Path map{&path, about(Of<ThicknessMapDesc>{}).name};
+  const auto picture = textures_.thickness_nm(std::get<ThicknessMapDesc>(thickness), scene_.time_s, map);
+  if (const auto* by_place = std::get_if<TexturePicture>(&picture)) return NumberTexture{0, *by_place};
+  const auto& cube = std::get<std::shared_ptr<const film::SphereMap>>(picture);
+  return cube != nullptr ? film::ThicknessField(cube) : film::ThicknessField();
 }
 
 int SurfaceCompiler::add_film(Film film) {
@@ -85,13 +93,7 @@ std::optional<Coating> SurfaceCompiler::coating(const CoatingDesc& coating, cons
   if (!coating.vary) return result;
   if (!check_varied(*coating.vary, found->layers.size(), vary, problems_)) return {};
   result.varied.emplace().layer = static_cast<std::size_t>(coating.vary->layer - 1);
-  if (const auto model_nm = thickness_model(coating.vary->thickness)) {
-    result.varied->thickness_nm = film::at_time(*model_nm, scene_.time_s);
-  } else {
-    const Path thickness{&vary, "thickness"}, map{&thickness, about(Of<ThicknessMapDesc>{}).name};
-    const auto& picture = std::get<ThicknessMapDesc>(coating.vary->thickness);
-    result.varied->thickness_nm = NumberTexture{0, textures_.thickness_nm(picture, map)};
-  }
+  result.varied->thickness_nm = thickness_nm(coating.vary->thickness, Path{&vary, "thickness"});
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "shabon/scene/lamp_channels.h"
 #include "shabon/scene/path.h"
@@ -35,6 +36,9 @@ class SurfaceCompiler {
   // A free film: its two sides are the scene's medium.
   std::optional<Film> film(const FilmDesc& film, const Path& path);
   int add_film(Film film);
+
+  // At the scene's time; `path` leads to it.
+  std::variant<film::ThicknessField, NumberTexture> thickness_nm(const ThicknessDesc& thickness, const Path& path);
 
   // The stack written there; its media are checked against their ranges. Coherent layers only for a coating, whose
   // front medium must be transparent.

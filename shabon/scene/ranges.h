@@ -29,6 +29,8 @@ inline constexpr Range exposure_range{.low = -100, .high = 100};
 inline constexpr Range lens_range{.low = 0, .high = 1e6};
 inline constexpr Range share_range{.low = 0, .high = 1};
 inline constexpr Range stretch_range{.low = 0, .high = 1e6, .low_open = true};  // factors on lengths
+inline constexpr Range frame_range{.low = 0, .high = 1e9};
+inline constexpr Range frame_rate_range{.low = 0, .high = 1e6, .low_open = true};
 inline constexpr Range repeat_range{.low = 0, .high = 1e6, .low_open = true};
 inline constexpr Range unit_range_m{.low = 0, .high = 1e9, .low_open = true};
 

@@ -7,6 +7,7 @@
 #include "shabon/color/illuminant.h"
 #include "shabon/optics/media.h"
 #include "shabon/scene/film_parts.h"
+#include "shabon/scene/frames.h"
 
 namespace shabon::scene {
 
@@ -64,10 +65,22 @@ void check(const NumberMapDesc& map, const Path& path, Problems& problems) {
   check_file_name(map.file, path, problems);
 }
 void check(const ColorMapDesc& map, const Path& path, Problems& problems) { check_file_name(map.file, path, problems); }
+std::vector<std::string_view> map_layouts() { return {"surface", "cube"}; }
+
 void check(const ThicknessMapDesc& map, const Path& path, Problems& problems) {
   check_file_name(map.file, path, problems);
-  if (map.low_nm.has_value() != map.high_nm.has_value() && !problems.has(path))
+  if (problems.has(path)) return;
+  if (map.low_nm.has_value() != map.high_nm.has_value())
     problems.add(path, "expected both of 'low_nm' and 'high_nm', or none, got one");
+  if (same_name(map.layout, "cube") && map.repeat != Repeat{})
+    problems.add(Path{&path, "repeat"}, "cannot stand beside 'layout: cube', whose faces are there once");
+  if (!numbered(map.file) && (map.first_frame || map.last_frame || map.frames_per_second))
+    problems.add(Path{&path, "file"}, "expected '#' in the name of the file where the frame's number stands, got '" +
+                                          map.file + "' beside keys that speak of frames");
+  if (map.last_frame && *map.last_frame < map.first_frame.value_or(0))
+    problems.add(Path{&path, "last_frame"}, "expected no less than the first frame " +
+                                                std::to_string(map.first_frame.value_or(0)) + ", got " +
+                                                std::to_string(*map.last_frame));
 }
 
 void check(const DiskDesc& disk, const Path& path, Problems& problems) {

@@ -5,6 +5,7 @@
 
 #include "shabon/base/text.h"
 #include "shabon/color/rgb.h"
+#include "shabon/scene/frames.h"
 #include "shabon/scene/value.h"
 
 namespace shabon::scene {
@@ -21,6 +22,18 @@ bool well_formed(const math::Raster& raster) {
 std::string pixel_text(const math::Raster& raster, std::size_t texel) {
   const auto width = static_cast<std::size_t>(raster.width);
   return "pixel (" + std::to_string(texel % width) + ", " + std::to_string(texel / width) + ")";
+}
+
+std::string size_text(const math::Raster& raster) {
+  return std::to_string(raster.width) + " x " + std::to_string(raster.height) + " pixels";
+}
+
+// Of one channel each.
+std::shared_ptr<const math::Raster> mixture(const math::Raster& a, const math::Raster& b, double share) {
+  auto result = std::make_shared<math::Raster>(a);
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    result->values[i] = static_cast<float>(a.values[i] + share * (double(b.values[i]) - a.values[i]));
+  return result;
 }
 
 }  // namespace
@@ -88,17 +101,47 @@ void Textures::warn_of_units(const ThicknessMapDesc& map, const math::Raster& pi
                                      format_number(largest, 3) + "; a picture of 0..1 needs 'low_nm' and 'high_nm'");
 }
 
-TexturePicture Textures::thickness_nm(const ThicknessMapDesc& map, const Path& path) {
-  const TextureFile* texture = file(map.file, path);
-  if (texture == nullptr || problems_.has(path)) return {};
+Textures::Raster Textures::frame_nm(const std::string& name, const ThicknessMapDesc& map, const Path& path) {
+  const TextureFile* texture = file(name, path);
+  if (texture == nullptr || problems_.has(path)) return nullptr;
   if (texture->whole_numbers && !map.low_nm) {
     problems_.add(path, "expected 'low_nm' and 'high_nm' beside a picture of whole numbers (" +
                             std::to_string(texture->bits) + " bits), which holds no nanometres");
-    return {};
+    return nullptr;
   }
   warn_of_units(map, texture->raster, path);
   const FieldInfo allowed{.unit = "nm", .range = film::thickness_range_nm};
-  return {scaled(map.file, map.low_nm.value_or(0), map.high_nm.value_or(1), allowed, path), map.repeat.u, map.repeat.v};
+  return scaled(name, map.low_nm.value_or(0), map.high_nm.value_or(1), allowed, path);
+}
+
+std::variant<TexturePicture, std::shared_ptr<const film::SphereMap>> Textures::thickness_nm(const ThicknessMapDesc& map,
+                                                                                            double time_s,
+                                                                                            const Path& path) {
+  for (const std::string_view key : {"layout", "first_frame", "last_frame", "frames_per_second"})
+    if (problems_.has(Path{&path, key})) return {};
+  const Frames frames = frames_at(map, time_s);
+  Raster raster = frame_nm(frames.first, map, path);
+  if (raster != nullptr && !frames.second.empty()) {
+    const Raster second = frame_nm(frames.second, map, path);
+    if (second == nullptr) return {};
+    if (second->width != raster->width || second->height != raster->height) {
+      problems_.add(Path{&path, "file"}, "expected frames of one size, got " + size_text(*raster) + " in '" +
+                                             frames.first + "' and " + size_text(*second) + " in '" + frames.second +
+                                             "'");
+      return {};
+    }
+    raster = mixture(*raster, *second, frames.share);
+  }
+  if (raster == nullptr || !same_name(map.layout, "cube")) return TexturePicture{raster, map.repeat.u, map.repeat.v};
+  std::shared_ptr<const film::SphereMap>& cube = cubes_[raster];
+  if (cube == nullptr) {
+    Result<film::SphereMap> made = film::sphere_map(*raster);
+    if (made)
+      cube = std::make_shared<const film::SphereMap>(*std::move(made));
+    else
+      problems_.add(Path{&path, "file"}, made.errors().front().message);
+  }
+  return cube;
 }
 
 Textures::Raster Textures::linear_rgb(const TextureFile& texture, const Path& map) {

@@ -89,6 +89,8 @@ Result<TextureFile> textures(const std::string& file) {
   if (file == "nm.exr") return picture(1, {300, 800});
   if (file == "unit.exr") return picture(1, {0.1f, 0.98f});
   if (file == "dips.exr") return picture(3, {0, 0, 0.5f, 0.5f, 0.5f, 0.5f}, 2);
+  if (file == "grow.0.exr") return picture(1, {300, 400});
+  if (file == "grow.1.exr") return TextureFile{{1, 1, 1, {300}}};
   if (file == "huge.exr") return picture(1, {300, 1e7f});
   if (file == "nan.exr") return picture(1, {1, std::nanf("")});
   if (file == "four_channels.exr") return picture(4, {0, 0, 0, 1, 0, 0, 0, 1});

@@ -42,6 +42,8 @@ std::string allowed_value(const Key& key) {
   if (key.key == "illuminant" || key.key == "white_balance") return "blackbody:3000K";
   if (key.key == "turbidity") return "3";
   if (key.key == "medium") return "1.5";
+  if (key.key == "file") return "picture.#";
+  if (key.key == "first_frame") return "0";  // before any last one
   if (key.key == "stack") return "air | water 300nm | air";
   if (key.type == type_text(Of<std::string>{}, key.info)) return "text";
   if (key.info.range.contains(1)) return "1";
