@@ -21,6 +21,27 @@ film::LatitudeMap scaled(film::LatitudeMap map, double factor) {
   return map;
 }
 
+film::ExponentialThickness scaled(film::ExponentialThickness film, double factor) {
+  film.middle_nm *= factor;
+  return film;
+}
+
+film::DrainedThickness scaled(film::DrainedThickness film, double factor) {
+  film.start_nm *= factor, film.nm_at_half_height *= factor;
+  if (film.nm == nullptr) return film;
+  std::vector<double> result = *film.nm;
+  for (double& nm : result) nm *= factor;
+  film.nm = std::make_shared<const std::vector<double>>(std::move(result));
+  return film;
+}
+
+void scale(film::ThicknessField& thickness, double factor);
+
+film::NoiseField scaled(film::NoiseField film, double factor) {
+  scale(film.base->field, factor);
+  return film;
+}
+
 void scale(scene::NumberTexture& texture, double factor) {
   texture.constant *= factor;
   if (texture.picture.raster == nullptr) return;
