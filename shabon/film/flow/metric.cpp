@@ -114,10 +114,12 @@ void from_stream(const Metric& metric, const Numbers& triangles, Numbers& along)
   });
 }
 
-void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Numbers& turned) {
+void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Padded<float>& turned) {
   const double *u = along.data(), *length = metric.length.data(), *distance = metric.distance.data();
-  const double *per_area = metric.per_area.data(), *kite = metric.grid->kite.data();
-  double *energy = kinetic.data(), *turn = turned.data();
+  const double* per_area = metric.per_area.data();
+  const float* kite = metric.grid->kite.data();
+  double* energy = kinetic.data();
+  float* turn = turned.data();
   const Index cells = metric.topology().cells;
   sweep_cells(metric.topology(), [=](const auto& a) {
     const Index c = a.c;
@@ -129,7 +131,7 @@ void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Nu
       out[k] = a.template sign<k>() * flux;
       twice_energy += std::abs(a.template sign<k>()) * (flux * (distance[e] * u[e]));
       total += out[k];
-      share[k] = kite[k * cells + c];
+      share[k] = static_cast<double>(kite[k * cells + c]);
     });
     energy[c] = twice_energy * 0.25 * per_area[c];
     // The sum for slot 0 with the shares between it and each other slot; the others follow from it one by one.
@@ -138,23 +140,24 @@ void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Nu
     passed += share[2], sum += (0.5 - passed) * out[3];
     passed += share[3], sum += (0.5 - passed) * out[4];
     passed += share[4], sum += (0.5 - passed) * out[5];
-    turn[c] = sum;
+    turn[c] = static_cast<float>(sum);
     for (int k = 0; k + 1 < slots; ++k) {
       sum += share[k] * total - 0.5 * (out[k] + out[k + 1]);
-      turn[(k + 1) * cells + c] = sum;
+      turn[(k + 1) * cells + c] = static_cast<float>(sum);
     }
   });
 }
 
-void across(const Metric& metric, const Numbers& turned, Numbers& left) {
-  const double *turn = turned.data(), *per_distance = metric.per_distance.data();
+void across(const Metric& metric, const Padded<float>& turned, Numbers& left) {
+  const float* turn = turned.data();
+  const double* per_distance = metric.per_distance.data();
   double* out = left.data();
   const Index cells = metric.topology().cells;
   sweep_owners(metric.topology(), [=](const auto& a) {
     each_owned_slot([&](auto slot) {
       constexpr int k = slot.value;
       const Index e = a.template edge<k>();
-      out[e] = (turn[k * cells + a.c] - turn[a.template across<k>(cells)]) * per_distance[e];
+      out[e] = static_cast<double>(turn[k * cells + a.c] - turn[a.template across<k>(cells)]) * per_distance[e];
     });
   });
 }

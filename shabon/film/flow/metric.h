@@ -38,9 +38,9 @@ void curl(const Metric& metric, const Numbers& along, Numbers& triangles);
 void from_stream(const Metric& metric, const Numbers& triangles, Numbers& along);
 
 // Kinetic energy of cells, and what (74) sums of each cell for the velocity across its edges, six numbers a cell.
-void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Numbers& turned);
+void cell_terms(const Metric& metric, const Numbers& along, Numbers& kinetic, Padded<float>& turned);
 // Velocities across the edges (to their left), (74).
-void across(const Metric& metric, const Numbers& turned, Numbers& left);
+void across(const Metric& metric, const Padded<float>& turned, Numbers& left);
 
 // Velocity vectors at the cells that fit the edges' components best.
 std::vector<math::Vec3d> cell_vectors(const Metric& metric, const Numbers& along);

@@ -17,8 +17,8 @@ constexpr double stable_share = 0.9;  // of the longest stable viscous step
 // Gershgorin: no eigenvalue exceeds twice the largest diagonal of curl and its adjoint, at the corners.
 Momentum::Momentum(const Metric& metric)
     : metric_(metric),
-      kinetic_(metric.grid->cell_numbers()),
       turned_(metric.grid->slot_numbers()),
+      kinetic_(metric.grid->cell_numbers()),
       vorticity_(metric.grid->triangle_numbers()),
       one_(metric.grid->edge_numbers()),
       two_(one_) {
@@ -45,12 +45,14 @@ namespace {
 
 // Vorticity times the velocity to the left, less the slope of the kinetic energy: of one edge.
 struct Advection {
-  const double *energy, *turn, *spin, *per_distance;
+  const double *energy, *spin, *per_distance;
+  const float* turn;
   Index cells;
 
   template <int k, class Around>
   double left(const Around& a) const {
-    return (turn[k * cells + a.c] - turn[a.template across<k>(cells)]) * per_distance[a.template edge<k>()];
+    return static_cast<double>(turn[k * cells + a.c] - turn[a.template across<k>(cells)]) *
+           per_distance[a.template edge<k>()];
   }
   template <int k, class Around>
   double rate(const Around& a, double left) const {
@@ -66,7 +68,7 @@ void Momentum::early_stage(const Numbers& base, const Numbers& now, const Number
                            Numbers& next) {
   cell_terms(metric_, now, kinetic_, turned_);
   curl(metric_, now, vorticity_);
-  const Advection advection{kinetic_.data(), turned_.data(), vorticity_.data(), metric_.per_distance.data(),
+  const Advection advection{kinetic_.data(), vorticity_.data(), metric_.per_distance.data(), turned_.data(),
                             metric_.topology().cells};
   const double *u = base.data(), *pushed = push.data();
   double* out = next.data();
@@ -82,7 +84,7 @@ void Momentum::early_stage(const Numbers& base, const Numbers& now, const Number
 void Momentum::last_stage(const Numbers& base, const Numbers& now, double share_s, Numbers& next, Numbers& left) {
   cell_terms(metric_, now, kinetic_, turned_);
   curl(metric_, now, vorticity_);
-  const Advection advection{kinetic_.data(), turned_.data(), vorticity_.data(), metric_.per_distance.data(),
+  const Advection advection{kinetic_.data(), vorticity_.data(), metric_.per_distance.data(), turned_.data(),
                             metric_.topology().cells};
   const double* u = base.data();
   double *out = next.data(), *left_of = left.data();

@@ -29,7 +29,8 @@ class Momentum {
 
   const Metric& metric_;
   double stiffest_per_m2_ = 0;  // bound of the largest eigenvalue of (76)
-  Numbers kinetic_, turned_, vorticity_, one_, two_;
+  Padded<float> turned_;
+  Numbers kinetic_, vorticity_, one_, two_;
 };
 
 }  // namespace shabon::film

@@ -44,6 +44,7 @@ void measure_areas(SphereGrid& grid) {
   for (std::size_t c = 0; c < cells; ++c) {
     const CellAround around = topology.around(static_cast<Index>(c));
     const Vec3d& here = grid.centres[c];
+    std::array<double, slots> kites{};
     const auto middle = [&](std::size_t k) {
       return math::normalize(here + grid.centres[static_cast<std::size_t>(around.cell[k])]);
     };
@@ -54,11 +55,11 @@ void measure_areas(SphereGrid& grid) {
       const auto tri = static_cast<std::size_t>(around.tri[k]);
       const Vec3d& corner = grid.corners[tri];
       const double kite = triangle_area(here, middle(k), corner) + triangle_area(here, corner, middle(after));
-      grid.kite[k * cells + c] = kite;
+      kites[k] = kite;
       grid.area[c] += kite;
       grid.triangle_area[tri] += kite;
     }
-    for (std::size_t k = 0; k < slots; ++k) grid.kite[k * cells + c] /= grid.area[c];
+    for (std::size_t k = 0; k < slots; ++k) grid.kite[k * cells + c] = static_cast<float>(kites[k] / grid.area[c]);
   }
 }
 

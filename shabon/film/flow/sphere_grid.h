@@ -20,13 +20,16 @@ struct SphereGrid {
   Numbers triangle_area;
   Numbers distance;  // of edges: between the two centres
   Numbers length;    // of edges: between the two corners
-  // Six a cell, slot after slot: the share of the cell's area nearest to the corner between the slots k and k + 1.
-  Numbers kite;
+  // Six a cell, slot after slot: the share of the cell's area nearest to the corner between the slots k and k + 1. In
+  // single precision, as what is summed with them: nothing that is kept depends on it, and memory limits the speed.
+  Padded<float> kite;
 
   Numbers cell_numbers(double value = 0) const { return numbers(topology.cells, value); }
   Numbers edge_numbers(double value = 0) const { return numbers(topology.edges, value); }
   Numbers triangle_numbers(double value = 0) const { return numbers(topology.triangles, value); }
-  Numbers slot_numbers(double value = 0) const { return numbers(topology.cells * slots, value); }
+  Padded<float> slot_numbers() const {
+    return Padded<float>(static_cast<std::size_t>(topology.cells * slots), topology.pad());
+  }
 
  private:
   Numbers numbers(Index count, double value) const {

@@ -106,7 +106,8 @@ TEST(OperatorErrors, OfARotationAreSmall) {
   for (std::size_t t = 0; t < s.triangles.size(); ++t) worst_curl = std::max(worst_curl, error(t));
   EXPECT_LT(worst_of_stream, 0.05);
   EXPECT_LT(worst_curl, 0.003);
-  Numbers turned = grid.slot_numbers(), left = grid.edge_numbers();
+  Padded<float> turned = grid.slot_numbers();
+  Numbers left = grid.edge_numbers();
   cell_terms(s.metric, s.along, s.cells, turned);
   across(s.metric, turned, left);
   for (Index c = 0; c < grid.topology.owned; ++c) {

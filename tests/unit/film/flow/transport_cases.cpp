@@ -30,7 +30,8 @@ Carried carry(int level, const Stream& stream, const Profile& profile, double co
   const SphereGrid& grid = *metric.grid;
   Transport transport(metric);
   Numbers psi = grid.triangle_numbers(), along = grid.edge_numbers(), left = along, amount = along;
-  Numbers kinetic = grid.cell_numbers(), turned = grid.slot_numbers(), carrier = grid.cell_numbers(1);
+  Numbers kinetic = grid.cell_numbers(), carrier = grid.cell_numbers(1);
+  Padded<float> turned = grid.slot_numbers();
   Numbers h = grid.cell_numbers(), moved = h;
   const auto flow_at = [&](double time) {
     for (std::size_t t = 0; t < psi.size(); ++t) psi[t] = stream(grid.corners[t], time);
