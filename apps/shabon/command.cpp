@@ -18,6 +18,8 @@ namespace {
 constexpr std::array command_list{
     Command{"render", "Render a scene to a picture", declare_render},
     Command{"probe", "The spectrum that arrives along one ray", declare_probe},
+    Command{"animate", "Render a range of frames, and a movie of them", declare_animate},
+    Command{"simulate", "The living film: thickness that flows and drains", declare_simulate},
     Command{"spectrum", "Reflectance and transmittance of a film over wavelength and angle", declare_spectrum},
     Command{"color", "The colour of a film under a lamp", declare_color},
     Command{"chart", "Draw charts of film colours and of birefringence", declare_chart},

@@ -22,6 +22,8 @@ std::span<const Command> commands();
 
 Action declare_render(CLI::App& app);
 Action declare_probe(CLI::App& app);
+Action declare_simulate(CLI::App& app);
+Action declare_animate(CLI::App& app);
 Action declare_spectrum(CLI::App& app);
 Action declare_color(CLI::App& app);
 Action declare_chart(CLI::App& app);

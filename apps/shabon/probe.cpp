@@ -15,6 +15,7 @@
 #include "shabon/color/rgb.h"
 #include "shabon/color/xyz.h"
 #include "shabon/scene/object_at.h"
+#include "shabon/scene/running_films.h"
 #include "streams.h"
 #include "wavelengths.h"
 
@@ -127,8 +128,9 @@ int run_probe(const ProbeCommand& command) {
   if (command.pixel.empty() && command.ray.empty())
     return report(fail(Failure::usage, "expected --pixel X Y or --ray OX OY OZ DX DY DZ"));
   const auto camera = command.ray.empty() ? scene::CameraUse::takes_pictures : scene::CameraUse::none;
-  const Result<LoadedScene> loaded = load(command.scene, camera);
+  Result<LoadedScene> loaded = load(command.scene, camera);
   if (!loaded) return report(loaded.errors());
+  if (const Status ran = scene::run_films(loaded->scene); !ran) return report(ran.errors());
   const Result<render::ProbeRay> ray = chosen_ray(command, loaded->scene);
   if (!ray) return report(ray.errors());
 

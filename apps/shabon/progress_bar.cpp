@@ -29,7 +29,8 @@ void write_message(const std::string& text) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(is_terminal_message()) {}
+ProgressBar::ProgressBar(bool quiet, std::string what)
+    : what_(std::move(what)), quiet_(quiet), terminal_(is_terminal_message()) {}
 ProgressBar::~ProgressBar() { finish(); }
 
 std::string ProgressBar::line(double done) const {
@@ -38,7 +39,7 @@ std::string ProgressBar::line(double done) const {
   // The first moments say little about the rest.
   const bool known = done > 0 && elapsed > 0.5;
   const std::string left = known ? minutes_and_seconds(elapsed * (1 - done) / done) + " left" : "";
-  return fmt::format("rendering [{}{}] {:3.0f} % {}", std::string(static_cast<std::size_t>(filled), '#'),
+  return fmt::format("{} [{}{}] {:3.0f} % {}", what_, std::string(static_cast<std::size_t>(filled), '#'),
                      std::string(static_cast<std::size_t>(bar_characters - filled), '.'), std::floor(done * 100), left);
 }
 

@@ -9,7 +9,8 @@ namespace shabon::app {
 // On a terminal one line that is drawn again; elsewhere (a log file) a line now and then.
 class ProgressBar {
  public:
-  explicit ProgressBar(bool quiet);
+  // `what` is being done: "rendering".
+  explicit ProgressBar(bool quiet, std::string what = "rendering");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -21,6 +22,7 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   std::string line(double done) const;
 
+  std::string what_;
   bool quiet_, terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();

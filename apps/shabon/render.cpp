@@ -13,6 +13,7 @@
 #include "render_report.h"
 #include "scene_input.h"
 #include "shabon/io/file.h"
+#include "shabon/scene/running_films.h"
 #include "shabon/scene/schema_fields.h"
 #include "streams.h"
 
@@ -73,16 +74,23 @@ int write_outputs(const RenderCommand& command, const std::vector<PictureFile>& 
   return code;
 }
 
+Status run_films(scene::Scene& scene, bool quiet, const StopFlag& stop) {
+  ProgressBar bar(quiet, "simulating");
+  return scene::run_films(scene, &stop, [&bar](double done) { bar.update(done); });
+}
+
 int run_render(const RenderCommand& command) {
   const auto pictures = picture_files(command.output_names());
   if (!pictures) return report(pictures.errors());
   const InterruptGuard interrupt;
 
-  const Result<LoadedScene> loaded = load(command.scene);
+  Result<LoadedScene> loaded = load(command.scene);
   if (!loaded) return report(loaded.errors());
   const Status checked = check_files(command, *pictures, *loaded);
   if (!checked) return report(checked.errors());
 
+  const Status ran = run_films(loaded->scene, command.quiet, interrupt.stop());
+  if (!ran) return report(ran.errors());
   ProgressBar bar(command.quiet);
   render::RenderOptions options;
   options.threads = static_cast<int>(command.threads.value_or(0));

@@ -92,7 +92,7 @@ Result<LoadedScene> load(const SceneInput& input, scene::CameraUse camera) {
   Diagnostics warnings;
   Result<scene::Scene> scene =
       scene::load_scene(text, name, overrides, api::file_resources(folder, note), &warnings, camera);
-  report(warnings);
+  if (input.warn) report(warnings);
   if (!scene) return scene.errors();
   return LoadedScene{*std::move(scene), std::move(name), std::move(files_read)};
 }

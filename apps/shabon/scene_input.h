@@ -19,6 +19,7 @@ struct SceneInput {
   std::optional<std::string> file;     // none: the built-in bubble
   std::vector<std::string> overrides;  // "path=value", later ones win
   std::vector<std::string> flags;      // the same, from flags of their own; they win over `overrides`
+  bool warn = true;                    // print warnings
 };
 
 void add_scene_input(CLI::App& app, SceneInput& input);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "shabon/api/lamp_file.h"
-#include "shabon/api/lamp_file.h"
 #include "shabon/api/nk_file.h"
 #include "shabon/api/reflectance_file.h"
 #include "shabon/api/resolvers.h"
@@ -39,6 +38,9 @@
 #include "shabon/desk/sweep.h"
 #include "shabon/desk/thickness_color.h"
 #include "shabon/desk/thickness_spectrum.h"
+#include "shabon/film/flow/bake.h"
+#include "shabon/film/flow/flow.h"
+#include "shabon/film/flow/presets.h"
 #include "shabon/film/thickness.h"
 #include "shabon/io/csv.h"
 #include "shabon/io/file.h"
@@ -66,7 +68,9 @@
 #include "shabon/render/sensor.h"
 #include "shabon/scene/built_in.h"
 #include "shabon/scene/compile.h"
+#include "shabon/scene/flow_file.h"
 #include "shabon/scene/override.h"
+#include "shabon/scene/running_films.h"
 #include "shabon/scene/scene.h"
 #include "shabon/scene/scene_desc.h"
 #include "shabon/scene/scene_file.h"

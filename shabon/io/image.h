@@ -56,6 +56,17 @@ Status write_png(const std::filesystem::path& path, int width, int height, std::
 Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
                                double pixels_per_inch = 0);
 
+// 16-bit grey, 0..65535 as they stand: numbers, no light. Errors as encode_png.
+Result<std::string> encode_png16(int width, int height, std::span<const std::uint16_t> grey, const Metadata& metadata);
+
+// What a picture of numbers lies on: tells readers how to lay it around (OpenEXR's `envmap`).
+enum class Layout { flat, latitude_longitude, cube };
+
+// One float channel Y without loss (ZIP), such as thickness in nm; `values` row by row from the top. Errors as
+// encode_png.
+Result<std::string> encode_exr_numbers(int width, int height, std::span<const float> values, Layout layout,
+                                       const Metadata& metadata);
+
 // Float R, G, B without loss (ZIP), with sRGB's chromaticities; metadata become string attributes. Errors as write_png.
 Status write_exr(const std::filesystem::path& path, const RgbImage& image, const Metadata& metadata);
 Result<std::string> encode_exr(const RgbImage& image, const Metadata& metadata);

@@ -49,17 +49,24 @@ extern "C" void shabon_png_write(png_structp png, png_bytep data, png_size_t siz
 
 extern "C" void shabon_png_flush(png_structp) {}
 
-bool write_image(png_structp png, png_infop info, int width, int height, const std::uint8_t* rgb, png_text* texts,
-                 int text_count, png_uint_32 pixels_per_metre) {
+// Pixels as they stand in the file, rows from top to bottom.
+struct Pixels {
+  int width, height;
+  int bits, color_type;
+  const std::uint8_t* bytes;
+  std::size_t row_bytes;
+};
+
+bool write_image(png_structp png, png_infop info, const Pixels& pixels, png_text* texts, int text_count,
+                 png_uint_32 pixels_per_metre) {
   if (setjmp(png_jmpbuf(png))) return false;
-  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), pixels.bits,
+               pixels.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (pixels.color_type == PNG_COLOR_TYPE_RGB) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (pixels_per_metre > 0) png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
   if (text_count > 0) png_set_text(png, info, texts, text_count);
   png_write_info(png, info);
-  for (int y = 0; y < height; ++y)
-    png_write_row(png, rgb + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(y));
+  for (int y = 0; y < pixels.height; ++y) png_write_row(png, pixels.bytes + pixels.row_bytes * std::size_t(y));
   png_write_end(png, info);
   return true;
 }
@@ -85,11 +92,7 @@ std::vector<png_text> make_texts(const Metadata& metadata) {
   return texts;
 }
 
-}  // namespace
-
-Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
-                               double pixels_per_inch) try {
-  if (auto error = refuse_contents(width, height, rgb.size(), metadata)) return *error;
+Result<std::string> encode(const Pixels& pixels, const Metadata& metadata, double pixels_per_inch) {
   Output output;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, shabon_png_error, shabon_png_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -98,12 +101,36 @@ Result<std::string> encode_png(int width, int height, std::span<const std::uint8
     std::vector<png_text> texts = make_texts(metadata);
     png_set_write_fn(png, &output, shabon_png_write, shabon_png_flush);
     const double per_metre = std::clamp(pixels_per_inch / metres_per_inch, 0.0, 1e9);
-    written = write_image(png, info, width, height, rgb.data(), texts.data(), static_cast<int>(texts.size()),
+    written = write_image(png, info, pixels, texts.data(), static_cast<int>(texts.size()),
                           static_cast<png_uint_32>(std::lround(per_metre)));
   }
   png_destroy_write_struct(&png, &info);
   if (!written) return fail(Failure::internal, "writing PNG: " + output.message);
   return std::move(output.bytes);
+}
+
+}  // namespace
+
+Result<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgb, const Metadata& metadata,
+                               double pixels_per_inch) try {
+  if (auto error = refuse_contents(width, height, rgb.size(), metadata)) return *error;
+  return encode({width, height, 8, PNG_COLOR_TYPE_RGB, rgb.data(), 3 * static_cast<std::size_t>(width)}, metadata,
+                pixels_per_inch);
+} catch (const std::bad_alloc&) {
+  return fail(Failure::internal, "writing PNG: not enough memory");
+}
+
+Result<std::string> encode_png16(int width, int height, std::span<const std::uint16_t> grey,
+                                 const Metadata& metadata) try {
+  if (auto error = refuse_contents(width, height, 3 * grey.size(), metadata)) return *error;
+  std::vector<std::uint8_t> bytes;  // the file has the upper byte first
+  bytes.reserve(2 * grey.size());
+  for (const std::uint16_t value : grey) {
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
+  }
+  return encode({width, height, 16, PNG_COLOR_TYPE_GRAY, bytes.data(), 2 * static_cast<std::size_t>(width)}, metadata,
+                0);
 } catch (const std::bad_alloc&) {
   return fail(Failure::internal, "writing PNG: not enough memory");
 }

@@ -127,6 +127,8 @@ Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::s
   for (const double nm : wavelengths_nm)
     if (!(nm >= optics::rendered_range_nm.first_nm && nm <= optics::rendered_range_nm.last_nm))
       return fail(Failure::usage, "expected wavelengths from 360 to 830 nm");
+  if (scene::has_idle_film(scene))
+    return fail(Failure::internal, "a simulated film of the scene has not run: expected scene::run_films() before");
   const ProbeStart start = start_of(scene, ray);
   if (!scene.objects.empty()) return probe_walks(scene, walk_start_of(start), wavelengths_nm, options);
   return Probe(scene, start, wavelengths_nm).trace();

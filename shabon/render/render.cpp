@@ -131,6 +131,8 @@ bool only_bubbles(const scene::Scene& scene) {
 Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& options, Sensor& sensor) {
   if (sensor.width() != scene.width || sensor.height() != scene.height)
     return fail(Failure::internal, "expected a sensor of the scene's size");
+  if (scene::has_idle_film(scene))
+    return fail(Failure::internal, "a simulated film of the scene has not run: expected scene::run_films() before");
   const auto start = Clock::now();
   RenderReport report = only_bubbles(scene)
                             ? render_with<TileTransport>(SceneTables(scene, options.grey_reflectance), options, sensor)

@@ -45,6 +45,11 @@ std::optional<Film> SurfaceCompiler::film(const FilmDesc& film, const Path& path
   Film result{parts->layers, parts->varied_layer, {}, {}};
   const Path vary{&path, "vary"};
   const Path thickness{std::holds_alternative<StackFilmDesc>(film) ? &vary : &path, "thickness"};
+  if (const auto* flow = std::get_if<FlowThicknessDesc>(&parts->thickness)) {
+    result.thickness = film::ConstantThickness{flow->mean_thickness_nm};  // until it runs
+    result.flow = std::make_shared<const film::FlowDesc>(*flow);
+    return result;
+  }
   const auto found = thickness_nm(parts->thickness, thickness);
   if (const auto* field = std::get_if<film::ThicknessField>(&found))
     result.thickness = *field;
@@ -93,7 +98,12 @@ std::optional<Coating> SurfaceCompiler::coating(const CoatingDesc& coating, cons
   if (!coating.vary) return result;
   if (!check_varied(*coating.vary, found->layers.size(), vary, problems_)) return {};
   result.varied.emplace().layer = static_cast<std::size_t>(coating.vary->layer - 1);
-  result.varied->thickness_nm = thickness_nm(coating.vary->thickness, Path{&vary, "thickness"});
+  const Path thickness{&vary, "thickness"};
+  if (std::holds_alternative<FlowThicknessDesc>(coating.vary->thickness)) {
+    problems_.add(thickness, simulated_elsewhere);
+    return {};
+  }
+  result.varied->thickness_nm = thickness_nm(coating.vary->thickness, thickness);
   return result;
 }
 

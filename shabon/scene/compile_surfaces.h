@@ -20,6 +20,10 @@
 namespace shabon::scene {
 
 // Whatever is wrong becomes a problem. Paths lead to the mapping that holds the keys in question.
+// Why a simulated film is refused off a bubble.
+inline constexpr const char* simulated_elsewhere =
+    "expected a thickness model or a map, got 'flow': a simulated film is closed, and only a bubble has one";
+
 class SurfaceCompiler {
  public:
   SurfaceCompiler(Scene& scene, LampChannels& lamps, SceneMedia& media, const Resources& resources, Problems& problems)

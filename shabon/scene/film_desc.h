@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "shabon/film/thickness.h"
+#include "shabon/scene/flow_desc.h"
 #include "shabon/scene/path.h"
 #include "shabon/scene/problems.h"
 #include "shabon/scene/ranges.h"
@@ -23,12 +24,12 @@ struct Extended<std::variant<T...>, More...> {
   using type = std::variant<T..., More...>;
 };
 
-// The thickness models, or a picture.
-using ThicknessDesc = Extended<film::ThicknessModel, ThicknessMapDesc>::type;
+// The thickness models, a picture, or a simulated film.
+using ThicknessDesc = Extended<film::ThicknessModel, ThicknessMapDesc, FlowThicknessDesc>::type;
 
 constexpr std::string_view section(Of<ThicknessDesc>) { return "thickness"; }
 
-// The model, or nothing for a picture.
+// The model, or nothing for the others.
 inline std::optional<film::ThicknessModel> thickness_model(const ThicknessDesc& thickness) {
   return std::visit(
       [](const auto& chosen) -> std::optional<film::ThicknessModel> {

@@ -91,8 +91,8 @@ bool is_vector(const Key& key) {
 // Follows the path down the document and its schema side by side.
 class Walk {
  public:
-  Walk(std::string_view path, const io::YamlDocument& document, YamlNode& root)
-      : path_(path), document_(document), node_(&root), mapping_(&scene_schema()) {}
+  Walk(std::string_view path, const io::YamlDocument& document, YamlNode& root, const Mapping& mapping)
+      : path_(path), document_(document), node_(&root), mapping_(&mapping) {}
 
   Status take(const Step& step) { return step.index ? take_index(*step.index) : take_key(step.key); }
   YamlNode& node() { return *node_; }
@@ -153,7 +153,7 @@ class Walk {
 
 }  // namespace
 
-Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value) {
+Status set_value(io::YamlDocument& document, std::string_view path, std::string_view value, const Mapping& mapping) {
   const auto steps = steps_of(path);
   if (!steps) return refuse(path, "expected a path such as objects[0].bubble.radius", Failure::usage);
   if (trim(value).empty()) return refuse(path, "expected a value, got an empty text", Failure::usage);
@@ -166,7 +166,7 @@ Status set_value(io::YamlDocument& document, std::string_view path, std::string_
     return errors;
   }
   YamlNode root = document.root;
-  Walk walk(path, document, root);
+  Walk walk(path, document, root, mapping);
   for (const Step& step : *steps)
     if (Status taken = walk.take(step); !taken) return taken;
   walk.node() = std::move(parsed->root);
@@ -175,13 +175,13 @@ Status set_value(io::YamlDocument& document, std::string_view path, std::string_
   return Done{};
 }
 
-Status apply_override(io::YamlDocument& document, std::string_view assignment) {
+Status apply_override(io::YamlDocument& document, std::string_view assignment, const Mapping& root) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)
     return refuse("",
                   "expected path=value, such as objects[0].bubble.radius=2, got '" + printable(assignment, 60) + "'",
                   Failure::usage);
-  return set_value(document, trim(assignment.substr(0, equals)), assignment.substr(equals + 1));
+  return set_value(document, trim(assignment.substr(0, equals)), assignment.substr(equals + 1), root);
 }
 
 }  // namespace shabon::scene

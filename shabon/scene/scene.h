@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "shabon/color/spectrum.h"
+#include "shabon/film/flow/parameters.h"
 #include "shabon/film/thickness_field.h"
 #include "shabon/geometry/shape.h"
 #include "shabon/math/vec.h"
@@ -27,6 +29,7 @@ struct Film {
   std::size_t varied_layer = 0;                        // index into layers
   film::ThicknessField thickness;                      // of that layer, in place of the one written there
   std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on Scene::spheres
+  std::shared_ptr<const film::FlowDesc> flow = {};     // RunningFilms sets `thickness`; on Scene::spheres only
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of
@@ -76,5 +79,12 @@ struct Scene {
   double metres_per_unit = 1;                 // how long the scene's unit is, for the absorption in solids
   Environment environment;
 };
+
+// Whether a simulated film has no thickness yet: RunningFilms gives it one.
+inline bool has_idle_film(const Scene& scene) {
+  for (const Film& film : scene.films)
+    if (film.flow && !std::holds_alternative<std::shared_ptr<const film::SphereMap>>(film.thickness)) return true;
+  return false;
+}
 
 }  // namespace shabon::scene

@@ -64,6 +64,7 @@ void read_mapping(const Mapping& mapping, const io::YamlNode& node, const Path& 
     problems.add(node, path, "expected a mapping with keys, got " + io::describe(node));
     return;
   }
+  if (mapping.begin) mapping.begin(node, object);
   int chosen = Key::common;
   bool choice_given = mapping.choices.empty();
   std::string_view chosen_key;

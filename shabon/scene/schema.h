@@ -40,8 +40,9 @@ struct Mapping {
   std::vector<Key> keys;
   std::string_view section;  // heading of its own table in the reference, or empty
   std::vector<About> choices;
-  std::function<void(void* object, int choice)> choose;  // makes the variant hold that choice
-  std::function<int(const void* object)> chosen;         // which one it holds
+  std::function<void(void* object, int choice)> choose;          // makes the variant hold that choice
+  std::function<int(const void* object)> chosen;                 // which one it holds
+  std::function<void(const io::YamlNode&, void* object)> begin;  // sets defaults that depend on the mapping, or empty
   std::vector<std::function<void(const void* object, const Path&, Problems&)>> rules;  // between several members
 
   const Key* find(std::string_view key) const;

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "shabon/base/field.h"
 #include "shabon/base/choice.h"
+#include "shabon/base/field.h"
 #include "shabon/base/indirect.h"
 #include "shabon/scene/schema.h"
 #include "shabon/scene/value.h"
@@ -114,6 +114,12 @@ concept HasRules = requires(const T& object, const Path& path, Problems& problem
   check(object, path, problems);
 };
 
+// Whether a function begin(const io::YamlNode&, T&) sets defaults before T's keys are read.
+template <class T>
+concept HasBeginning = requires(const io::YamlNode& node, T& object) {
+  begin(node, object);
+};
+
 // `get` turns the untyped object into a reference to the member, const or not as the object is.
 template <class V, class Get>
 Key make_key(std::string_view name, const FieldInfo& info, const V& initial, Get get) {
@@ -198,6 +204,8 @@ Mapping build_mapping() {
     add_choices<T>(mapping, [](void* object) -> T& { return *static_cast<T*>(object); });
   } else {
     std::apply([&](const auto&... entry) { (add<T>(mapping, entry), ...); }, fields(Of<T>{}));
+    if constexpr (HasBeginning<T>)
+      mapping.begin = [](const io::YamlNode& node, void* object) { begin(node, *static_cast<T*>(object)); };
     if constexpr (HasRules<T>)
       mapping.rules.push_back([](const void* object, const Path& path, Problems& problems) {
         check(*static_cast<const T*>(object), path, problems);

@@ -62,7 +62,10 @@ Result<scene::Scene> load(const std::string& name, int seed, std::optional<int> 
   const std::vector<std::string> overrides = {
       "image.width=" + std::to_string(width), "image.height=" + std::to_string(height),
       "render.seed=" + std::to_string(seed), "render.samples=" + std::to_string(samples.value_or(samples_of(*whole)))};
-  return scene::load_scene(*text, path.string(), overrides, resources);
+  auto scene = scene::load_scene(*text, path.string(), overrides, resources);
+  if (!scene) return scene;
+  if (const Status ran = scene::run_films(*scene); !ran) return ran.errors();
+  return scene;
 }
 
 Result<io::RgbImage> picture(const scene::Scene& scene) {

@@ -41,7 +41,10 @@ Result<scene::Scene> load(const std::string& name) {
   const std::vector<std::string> overrides = {"image.width=" + std::to_string(width),
                                               "image.height=" + std::to_string(height),
                                               "render.samples=" + std::to_string(samples)};
-  return scene::load_scene(*text, path.string(), overrides, resources);
+  auto scene = scene::load_scene(*text, path.string(), overrides, resources);
+  if (!scene) return scene;
+  if (const Status ran = scene::run_films(*scene); !ran) return ran.errors();
+  return scene;
 }
 
 // Means of blocks, and last of the whole picture: [place * 3 + component][render].

@@ -8,6 +8,10 @@ std::optional<FreeFilmSurface> compile(const FreeFilmSurfaceDesc& surface, const
                                        SurfaceCompiler& compiler) {
   const std::optional<Film> film = compiler.film(surface.film, path);
   if (!film) return {};
+  if (film->flow) {
+    compiler.problems().add(Path{&path, "thickness"}, simulated_elsewhere);
+    return {};
+  }
   return FreeFilmSurface{compiler.add_film(*film), 1};
 }
 

@@ -41,6 +41,8 @@ std::string allowed_value(const Key& key) {
   if (key.key == "radius") return "1000000";  // larger than any hole
   if (key.key == "illuminant" || key.key == "white_balance") return "blackbody:3000K";
   if (key.key == "turbidity") return "3";
+  for (const std::string_view upper : {"to_deg", "to_nm", "nucleation_nm", "longest_s"})  // above its other half
+    if (key.key == upper) return value_text(key.info.range.high);
   if (key.key == "medium") return "1.5";
   if (key.key == "file") return "picture.#";
   if (key.key == "first_frame") return "0";  // before any last one

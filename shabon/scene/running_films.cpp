@@ -1,0 +1,74 @@
+#include "shabon/scene/running_films.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace shabon::scene {
+
+namespace {
+
+// Nodes along the edge of a cube face: six for each cell of the grid, so that the map keeps what the grid resolves.
+int map_size_of(int level) { return 6 << std::min(level, 7); }
+
+// A film stops at every multiple of this, so that its steps do not depend on who looks on.
+constexpr double pause_s = 0.04;
+
+}  // namespace
+
+Result<RunningFilms> RunningFilms::start(const Scene& scene) {
+  RunningFilms running;
+  for (std::size_t i = 0; i < scene.films.size(); ++i) {
+    if (!scene.films[i].flow) continue;
+    auto flow = film::FilmFlow::start(*scene.films[i].flow);
+    if (!flow) return flow.errors();
+    const int size = map_size_of(scene.films[i].flow->level);
+    film::FlowBake bake(*flow, film::node_directions(size));
+    running.films_.push_back({i, std::move(flow).value(), std::move(bake), size});
+  }
+  return running;
+}
+
+Status RunningFilms::advance_to(double time_s, const StopFlag* stop, const ProgressReport& progress) {
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    film::FilmFlow& flow = films_[i].flow;
+    const double from_s = flow.time_s();
+    while (flow.time_s() < time_s && !flow.rupture()) {
+      const double next_s = (std::floor(flow.time_s() / pause_s * (1 + 1e-12)) + 1) * pause_s;
+      if (const Status done = flow.advance_to(std::min(next_s, time_s), stop); !done) return done;
+      if (stop != nullptr && *stop) return Done{};
+      const double share = (flow.time_s() - from_s) / (time_s - from_s);
+      if (progress) progress((static_cast<double>(i) + share) / static_cast<double>(films_.size()));
+    }
+  }
+  return Done{};
+}
+
+void RunningFilms::show_in(Scene& scene) const {
+  for (const Running& running : films_) {
+    auto map = std::make_shared<film::SphereMap>();
+    map->size = running.map_size;
+    map->nm.resize(running.bake.size());
+    running.bake.thickness_nm(running.flow, map->nm);
+    scene.films[running.film].thickness = std::shared_ptr<const film::SphereMap>(std::move(map));
+  }
+}
+
+Status run_films(Scene& scene, const StopFlag* stop, const ProgressReport& progress) {
+  auto films = RunningFilms::start(scene);
+  if (!films) return films.errors();
+  if (const Status done = films->advance_to(scene.time_s, stop, progress); !done) return done;
+  films->show_in(scene);
+  return Done{};
+}
+
+std::optional<double> RunningFilms::broken_s() const {
+  std::optional<double> first;
+  for (const Running& running : films_)
+    if (const auto broken = running.flow.rupture(); broken && (!first || broken->time_s < *first))
+      first = broken->time_s;
+  return first;
+}
+
+}  // namespace shabon::scene

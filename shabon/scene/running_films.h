@@ -1,0 +1,45 @@
+// The simulated films of a scene, as they run from one picture to the next.
+#pragma once
+
+#include <vector>
+
+#include "shabon/base/progress.h"
+#include "shabon/base/result.h"
+#include "shabon/film/flow/bake.h"
+#include "shabon/film/flow/flow.h"
+#include "shabon/scene/scene.h"
+
+namespace shabon::scene {
+
+class RunningFilms {
+ public:
+  // All simulated films of the scene, at their time 0. Errors as FilmFlow::start().
+  static Result<RunningFilms> start(const Scene& scene);
+
+  bool empty() const { return films_.empty(); }
+
+  // Runs every film on to that time; earlier times change nothing. `progress` is told the share of that time that is
+  // done. Errors as FilmFlow::advance_to().
+  Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
+
+  // Puts the thickness of this moment into the scene, which is the one of start() or one compiled from it for another
+  // time.
+  void show_in(Scene& scene) const;
+
+  // When the first film broke, if one did.
+  std::optional<double> broken_s() const;
+
+ private:
+  struct Running {
+    std::size_t film;  // Scene::films
+    film::FilmFlow flow;
+    film::FlowBake bake;
+    int map_size;
+  };
+  std::vector<Running> films_;
+};
+
+// Runs every simulated film of the scene to the scene's time and shows it there. Errors as above.
+Status run_films(Scene& scene, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
+
+}  // namespace shabon::scene
