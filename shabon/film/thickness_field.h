@@ -1,5 +1,5 @@
 // How thick a film is at one moment, ready to be asked at many places: a thickness model with all prepared that does
-// not depend on the place, or a map.
+// not depend on the place, or a map; perhaps with a hole.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "shabon/film/holed_film.h"
 #include "shabon/film/latitude_map.h"
 #include "shabon/film/sphere_map.h"
 #include "shabon/film/thickness.h"
@@ -43,7 +44,7 @@ struct ReadyOf<std::variant<First, Models...>, Maps...>
 
 }  // namespace detail
 
-using ThicknessField = detail::ReadyOf<ThicknessModel, std::shared_ptr<const SphereMap>, LatitudeMap>::type;
+using ThicknessField = detail::ReadyOf<ThicknessModel, std::shared_ptr<const SphereMap>, LatitudeMap, HoledFilm>::type;
 
 struct HeldField {
   ThicknessField field;
@@ -57,6 +58,8 @@ Number thickness_nm(const std::shared_ptr<const SphereMap>& map, const math::Vec
 
 template <class Number>
 Number thickness_nm(const NoiseField& film, const math::Vec3<Number>& from_centre);
+template <class Number>
+Number thickness_nm(const HoledFilm& holed, const math::Vec3<Number>& from_centre);
 
 // Thickness in nm in the unit direction `from_centre` of a sphere; Number is double or a packet of it. Other shapes
 // give a place within their box, in units of half its height.
@@ -73,6 +76,14 @@ Number thickness_nm(const NoiseField& film, const math::Vec3<Number>& from_centr
   const Number nm = thickness_nm(film.base->field, from_centre) * share;
   return min(max(nm, Number(thickness_range_nm.low)), Number(thickness_range_nm.high));
 }
+
+template <class Number>
+Number thickness_nm(const HoledFilm& holed, const math::Vec3<Number>& from_centre) {
+  return detail::outside_hole(holed, from_centre, thickness_nm(holed.film->field, from_centre));
+}
+
+// Its mean over all directions, to about a thousandth.
+double mean_thickness_nm(const ThicknessField& field);
 
 // The model as it is `seconds` after the moment its parameters speak of; models that do not age are the same ever
 // after.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shabon/geometry/coincidence.h"
+#include "shabon/scene/bubble_motion.h"
 #include "shabon/scene/media_flaws.h"
 #include "shabon/scene/object_at.h"
 #include "shabon/scene/schema_fields.h"
@@ -127,6 +128,14 @@ bool large_enough(const ShapeDesc& shape, const Path& path, Problems& problems) 
   return true;
 }
 
+// Pictures by (u, v) are those by direction on a whole sphere.
+void set_by_direction(Film& film) {
+  if (!film.thickness_map_nm) return;
+  const auto& [raster, repeat_u, repeat_v] = film.thickness_map_nm->picture;
+  if (raster != nullptr) film.thickness = film::LatitudeMap{raster, repeat_u, repeat_v};
+  film.thickness_map_nm.reset();
+}
+
 }  // namespace
 
 geometry::PlacedShape placed(const SphereDesc& sphere) {
@@ -151,6 +160,8 @@ void ObjectsCompiler::add(const ObjectDesc& object, const Path& path, int index)
 void ObjectsCompiler::add_one(const BubbleDesc& bubble, const Path& path, int index) {
   std::optional<Film> film = surfaces_.film(bubble.film, Path{&path, "film"});
   if (!film || problems_.has(Path{&path, "center"}) || problems_.has(Path{&path, "radius"})) return;
+  set_by_direction(*film);
+  if (!move(bubble, *film, path)) return;
   // -0 + 0 = 0: the two zeros are one place.
   const std::array<double, 4> key = {bubble.center.x + 0.0, bubble.center.y + 0.0, bubble.center.z + 0.0,
                                      bubble.radius};
@@ -176,18 +187,27 @@ void ObjectsCompiler::add_one(const ShapeDesc& shape, const Path& path, int inde
   scene_.objects.push_back({placed(shape), *surface, index});
 }
 
-// Pictures by (u, v) are those by direction on a whole sphere.
+// Whether the film is there at the scene's time, with the hole it has then.
+bool ObjectsCompiler::move(const BubbleDesc& bubble, Film& film, const Path& path) {
+  const auto& popping = bubble.popping;
+  if (popping && (!check_popping(film, path, problems_) || problems_.has(Path{&path, "popping"}))) return true;
+  if (!popping && !film.flow) return true;
+  const double from_s = popping ? popping->start_s : 0;
+  const auto body = body_of(bubble, film, scene_.metres_per_unit, from_s, path, problems_);
+  if (!body) return true;
+  if (film.flow) {
+    film.bursting = bursting_of(bubble, film, *body);
+    return true;
+  }
+  const film::Hole hole = film::hole_at(*body, *popping, scene_.time_s);
+  open_hole(film, hole, popping->from_centre);
+  return hole.angle_rad < std::numbers::pi;
+}
+
 void ObjectsCompiler::keep(Bubble& bubble) {
   bubble.sphere.first_film = static_cast<int>(scene_.films.size());
   bubble.sphere.film_count = static_cast<int>(bubble.films.size());
-  for (Film& film : bubble.films) {
-    if (const auto& map = film.thickness_map_nm) {
-      const auto& [raster, repeat_u, repeat_v] = map->picture;
-      if (raster != nullptr) film.thickness = film::LatitudeMap{raster, repeat_u, repeat_v};
-      film.thickness_map_nm.reset();
-    }
-    scene_.films.push_back(std::move(film));
-  }
+  for (Film& film : bubble.films) scene_.films.push_back(std::move(film));
   scene_.spheres.push_back(bubble.sphere);
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "shabon/scene/bubble_motion.h"
+
 namespace shabon::scene {
 
 namespace {
@@ -19,13 +21,13 @@ constexpr double pause_s = 0.04;
 
 Result<RunningFilms> RunningFilms::start(const Scene& scene) {
   RunningFilms running;
-  for (std::size_t i = 0; i < scene.films.size(); ++i) {
-    if (!scene.films[i].flow) continue;
-    auto flow = film::FilmFlow::start(*scene.films[i].flow);
+  for (const Film& film : scene.films) {
+    if (!film.flow) continue;
+    auto flow = film::FilmFlow::start(*film.flow);
     if (!flow) return flow.errors();
-    const int size = map_size_of(scene.films[i].flow->level);
+    const int size = map_size_of(film.flow->level);
     film::FlowBake bake(*flow, film::node_directions(size));
-    running.films_.push_back({i, std::move(flow).value(), std::move(bake), size});
+    running.films_.push_back({std::move(flow).value(), std::move(bake), size});
   }
   return running;
 }
@@ -45,13 +47,31 @@ Status RunningFilms::advance_to(double time_s, const StopFlag* stop, const Progr
   return Done{};
 }
 
+namespace {
+
+// Of a film that breaks by itself the hole opens where and when it did.
+void burst(Film& film, const std::optional<film::FilmFlow::Rupture>& rupture, double time_s) {
+  if (!film.bursting || (film.bursting->by_itself && !rupture)) return;
+  auto [body, popping, by_itself] = *film.bursting;
+  if (by_itself) popping.from_centre = rupture->from_centre, popping.start_s = rupture->time_s;
+  if (time_s <= popping.start_s) return;
+  if (body.thickness_m == 0) body.thickness_m = film::mean_thickness_nm(film.thickness) * 1e-9;
+  open_hole(film, film::hole_at(body, popping, time_s), popping.from_centre);
+}
+
+}  // namespace
+
 void RunningFilms::show_in(Scene& scene) const {
-  for (const Running& running : films_) {
+  std::size_t next = 0;
+  for (Film& film : scene.films) {
+    if (!film.flow || next == films_.size()) continue;
+    const Running& running = films_[next++];
     auto map = std::make_shared<film::SphereMap>();
     map->size = running.map_size;
     map->nm.resize(running.bake.size());
     running.bake.thickness_nm(running.flow, map->nm);
-    scene.films[running.film].thickness = std::shared_ptr<const film::SphereMap>(std::move(map));
+    film.thickness = std::shared_ptr<const film::SphereMap>(std::move(map));
+    burst(film, running.flow.rupture(), scene.time_s);
   }
 }
 

@@ -23,7 +23,7 @@ class RunningFilms {
   Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
 
   // Puts the thickness of this moment into the scene, which is the one of start() or one compiled from it for another
-  // time.
+  // time; a film that broke has the hole of the scene's time.
   void show_in(Scene& scene) const;
 
   // When the first film broke, if one did.
@@ -31,12 +31,11 @@ class RunningFilms {
 
  private:
   struct Running {
-    std::size_t film;  // Scene::films
     film::FilmFlow flow;
     film::FlowBake bake;
     int map_size;
   };
-  std::vector<Running> films_;
+  std::vector<Running> films_;  // in the order of the scene's simulated films
 };
 
 // Runs every simulated film of the scene to the scene's time and shows it there. Errors as above.

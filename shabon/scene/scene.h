@@ -8,6 +8,7 @@
 
 #include "shabon/color/spectrum.h"
 #include "shabon/film/flow/parameters.h"
+#include "shabon/film/popping.h"
 #include "shabon/film/thickness_field.h"
 #include "shabon/geometry/shape.h"
 #include "shabon/math/vec.h"
@@ -22,6 +23,14 @@
 
 namespace shabon::scene {
 
+// How a simulated film bursts: where and when it breaks by itself if it is one of those, else where and when it is
+// told.
+struct Bursting {
+  film::BubbleBody body;  // thickness_m 0: the mean of the film when it breaks
+  film::PoppingDesc popping;
+  bool by_itself = false;
+};
+
 // One film between the scene's medium on both sides: coherent layers from the outside to the inside, at least one, of
 // which one has a thickness of its own at each place.
 struct Film {
@@ -30,6 +39,7 @@ struct Film {
   film::ThicknessField thickness;                      // of that layer, in place of the one written there
   std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on Scene::spheres
   std::shared_ptr<const film::FlowDesc> flow = {};     // RunningFilms sets `thickness`; on Scene::spheres only
+  std::optional<Bursting> bursting = {};               // beside `flow`
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of
@@ -83,7 +93,7 @@ struct Scene {
 // Whether a simulated film has no thickness yet: RunningFilms gives it one.
 inline bool has_idle_film(const Scene& scene) {
   for (const Film& film : scene.films)
-    if (film.flow && !std::holds_alternative<std::shared_ptr<const film::SphereMap>>(film.thickness)) return true;
+    if (film.flow && std::holds_alternative<film::ConstantThickness>(film.thickness)) return true;
   return false;
 }
 

@@ -12,8 +12,8 @@
 #include "shabon/io/yaml.h"
 #include "shabon/math/vec.h"
 #include "shabon/optics/interference.h"
+#include "shabon/scene/bubble_desc.h"
 #include "shabon/scene/camera_desc.h"
-#include "shabon/scene/film_desc.h"
 #include "shabon/scene/lamp_desc.h"
 #include "shabon/scene/shape_desc.h"
 
@@ -66,12 +66,6 @@ struct SoftboxDesc : LampDesc {
 struct EnvironmentDesc {
   std::variant<ConstantEnvironmentDesc, GradientEnvironmentDesc, ImageEnvironmentDesc, SkyEnvironmentDesc> base;
   std::vector<SoftboxDesc> softboxes;
-};
-
-struct BubbleDesc {
-  math::Vec3d center{0, 0, 0};
-  double radius = 1;
-  FilmDesc film;
 };
 
 // The closed set of objects.

@@ -54,6 +54,12 @@ void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
     problems.add(direction, "expected a direction, got " + value_text(softbox.direction));
 }
 
+void check(const film::PoppingDesc& popping, const Path& path, Problems& problems) {
+  const Path place{&path, "from_centre"};
+  if (!problems.has(place) && length_of(popping.from_centre) < shortest_vector)
+    problems.add(place, "expected a direction, got " + value_text(popping.from_centre));
+}
+
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems) {
   check_file_name(environment.file, path, problems);
 }

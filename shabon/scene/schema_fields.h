@@ -120,19 +120,14 @@ constexpr auto fields(Of<EnvironmentDesc>) {
                           {.doc = "lamps at infinity; their light adds to the base and to each other"}}};
 }
 
-constexpr About about(Of<BubbleDesc>) { return {.name = "bubble", .doc = "a film on a sphere"}; }
-constexpr auto fields(Of<BubbleDesc>) {
-  return std::tuple{Field{"center", &BubbleDesc::center, {.range = coordinate_range, .doc = "its centre"}},
-                    Field{"radius", &BubbleDesc::radius, {.range = radius_range, .doc = "its radius"}},
-                    Field{"film", &BubbleDesc::film, {.required = true, .doc = "what it is made of"}}};
-}
-
 constexpr auto fields(Of<SceneDesc>) {
   return std::tuple{
       Field{"shabon", &SceneDesc::shabon, {.range = version_range, .required = true, .doc = "version of the format"}},
       Field{"metres_per_unit",
             &SceneDesc::metres_per_unit,
-            {.unit = "m", .range = unit_range_m, .doc = "length of the scene's unit, for the absorption in solids"}},
+            {.unit = "m",
+             .range = unit_range_m,
+             .doc = "length of the scene's unit, for the absorption in solids and how bubbles move"}},
       Field{"time_s",
             &SceneDesc::time_s,
             {.unit = "s", .range = time_range_s, .doc = "the moment the picture shows, for films that age"}},

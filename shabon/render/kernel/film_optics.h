@@ -125,6 +125,8 @@ inline auto film_at_event(const SceneTables& tables, const EventBlock& block, in
                           const OfCrossing& of_crossing, const OfStack& of_stack, const OfMueller& of_mueller) {
   const FilmTable& film = *block.film[lane];
   const auto mode = tables.scene.render.interference;
+  // The models other than airy have walls at any thickness; where there is no film there are none.
+  if (mode != optics::Interference::airy && block.thickness_nm[lane] == 0) return of_mueller(grey_mueller(0));
   const LanesD per_wavelength = tables.combs[comb].inverse_wavelength_per_nm * block.thickness_nm[lane];
   switch (film.kind) {
     case FilmKind::constant:

@@ -17,6 +17,12 @@ ProbeLanes per_lane(Function&& value) {
   return ProbeLanes::load(lanes.data());
 }
 
+// The models other than airy have walls at any thickness; where there is no film there are none.
+ProbeMueller no_film() {
+  const ProbeLanes zero(0.0), one(1.0);
+  return {{zero, zero, zero, zero}, {one, zero, one, zero}};
+}
+
 }  // namespace
 
 WavelengthGroup::WavelengthGroup(std::span<const double> wavelengths_nm) {
@@ -53,6 +59,7 @@ ProbeMueller ProbeFilms::blocks(std::size_t index, double thickness_nm, double c
     return optics::exact_stack_mueller<probe_lanes>(
         *film.stack, 0,
         {.cos_i = cos_i, .from_exit = from_inside, .layer = film.varied_layer, .thickness_nm = thickness_nm});
+  if (interference_ != optics::Interference::airy && thickness_nm == 0) return no_film();
   return film.free ? free_film(film, thickness_nm, cos_i) : by_reference(film, thickness_nm, cos_i);
 }
 

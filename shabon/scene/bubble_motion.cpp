@@ -1,0 +1,82 @@
+#include "shabon/scene/bubble_motion.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "shabon/scene/value.h"
+
+namespace shabon::scene {
+
+namespace {
+
+constexpr double metres_per_nm = 1e-9;
+
+// Of the layer that has a thickness of its own at each place.
+std::optional<double> mean_of_varied(const FilmDesc& desc, const Film& film, double time_s) {
+  const ThicknessDesc* stated = nullptr;
+  if (const auto* medium = std::get_if<MediumFilmDesc>(&desc)) stated = &medium->thickness;
+  const auto* stack = std::get_if<StackFilmDesc>(&desc);
+  if (stack != nullptr && stack->vary) stated = &stack->vary->thickness;
+  if (stated == nullptr) return film.layers[film.varied_layer].thickness_nm;
+  if (const auto* flow = std::get_if<FlowThicknessDesc>(stated)) return flow->mean_thickness_nm;
+  const auto model = thickness_model(*stated);
+  if (!model) return {};
+  return film::mean_thickness_nm(film::at_time(*model, time_s));
+}
+
+std::optional<double> mean_thickness_nm(const BubbleDesc& bubble, const Film& film, double time_s) {
+  if (bubble.body.thickness_nm) return bubble.body.thickness_nm;
+  auto mean = mean_of_varied(bubble.film, film, time_s);
+  for (std::size_t i = 0; mean && i < film.layers.size(); ++i)
+    if (i != film.varied_layer) *mean += film.layers[i].thickness_nm;
+  return mean;
+}
+
+}  // namespace
+
+std::optional<film::BubbleBody> body_of(const BubbleDesc& bubble, const Film& film, double metres_per_unit,
+                                        double time_s, const Path& path, Problems& problems) {
+  const Path body{&path, "body"};
+  const auto mean_nm = mean_thickness_nm(bubble, film, time_s);
+  if (problems.has(body)) return {};
+  if (!mean_nm) {
+    problems.add(body, "expected 'thickness_nm', the mean thickness, which no model gives for this film");
+    return {};
+  }
+  if (!(*mean_nm > 0)) {
+    problems.add(body, "expected a film with a mean thickness above 0 for a bubble that moves, got " +
+                           value_text(*mean_nm) + " nm");
+    return {};
+  }
+  const double usual_m = film.flow ? film.flow->radius_m : bubble.radius * metres_per_unit;
+  const double radius_m = bubble.body.radius_m.value_or(usual_m);
+  return film::BubbleBody{.radius_m = radius_m,
+                          .thickness_m = *mean_nm * metres_per_nm,
+                          .tension_n_m = bubble.body.tension_n_m,
+                          .density_kg_m3 = bubble.body.density_kg_m3,
+                          .inner_air_kg_m3 = bubble.body.inner_air_kg_m3,
+                          .outer_air_kg_m3 = bubble.body.outer_air_kg_m3};
+}
+
+bool check_popping(const Film& film, const Path& path, Problems& problems) {
+  if (film.layers.size() == 1) return true;
+  problems.add(Path{&path, "popping"},
+               "expected a film of one layer, which can burst, got " + std::to_string(film.layers.size()) + " layers");
+  return false;
+}
+
+void open_hole(Film& film, const film::Hole& hole, const math::Vec3d& from_centre) {
+  if (!(hole.angle_rad > 0)) return;
+  constexpr double gone = -2;  // below all cosines
+  const double cos_hole = hole.angle_rad < std::numbers::pi ? std::cos(hole.angle_rad) : gone;
+  film.thickness = film::HoledFilm{film::HeldField{film.thickness}, math::normalize(from_centre), cos_hole};
+}
+
+std::optional<Bursting> bursting_of(const BubbleDesc& bubble, const Film& film, film::BubbleBody body) {
+  const bool by_itself = film.flow->rupture.has_value();
+  if (film.layers.size() > 1 || (!bubble.popping && !by_itself)) return {};
+  if (!bubble.body.thickness_nm) body.thickness_m = 0;
+  return Bursting{body, bubble.popping.value_or(film::PoppingDesc{}), by_itself};
+}
+
+}  // namespace shabon::scene

@@ -1,0 +1,106 @@
+// Bubbles that burst and tremble, as they are seen.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "shabon/render/probe.h"
+#include "shabon/render/render.h"
+#include "shabon/scene/compile.h"
+
+namespace shabon {
+namespace {
+
+using math::Vec3d;
+
+constexpr int side = 40;
+
+// Bubbles have more samples at their rims: pictures differ by that, in light that differs from place to place.
+constexpr double most_by_chance = 1e-3;
+
+// What the renderer's two kernels are chosen by: a scene of bubbles alone, or one with another object (out of sight).
+const std::string kernels[] = {
+    "", "  - quad: {position: [0, 0, 30], surface: {film: {medium: water, thickness: {constant_nm: 0}}}}\n"};
+const std::string models[] = {"airy", "two-beam", "none"};
+
+scene::Scene scene_of(const std::string& objects, const std::string& model = "airy", double time_s = 0,
+                      const std::string& light = "gradient: {up: {scale: 1}, down: {scale: 0.2}}") {
+  auto scene = scene::load_scene("shabon: 1\nmetres_per_unit: 0.03\ntime_s: " + std::to_string(time_s) +
+                                     "\nimage: {width: 40, height: 40}\n"
+                                     "camera: {position: [0, 0, 6], vertical_fov_deg: 24}\n"
+                                     "render: {samples: 4, interference: " +
+                                     model + "}\nenvironment: {" + light + "}\nobjects:\n" + objects,
+                                 "test.yaml", {}, {});
+  if (!scene) throw std::invalid_argument(to_text(scene.errors()));
+  return *std::move(scene);
+}
+
+render::Sensor picture_of(const scene::Scene& scene) {
+  render::Sensor sensor(scene.width, scene.height);
+  EXPECT_TRUE(render::render(scene, {}, sensor));
+  return sensor;
+}
+
+// The largest difference of Y in the rows from..to.
+double difference(const scene::Scene& a, const scene::Scene& b, int from = 0, int to = side) {
+  const render::Sensor one = picture_of(a), other = picture_of(b);
+  double worst = 0;
+  for (int y = from; y < to; ++y)
+    for (int x = 0; x < side; ++x) worst = std::max(worst, std::abs(one.mean(x, y).y - other.mean(x, y).y));
+  return worst;
+}
+
+const std::vector<double> wavelengths_nm = {430, 550, 670};
+
+std::vector<double> seen(const scene::Scene& scene, const Vec3d& from, const Vec3d& towards) {
+  const auto result = render::probe(scene, {from, towards - from, true}, wavelengths_nm, {64, 1});
+  EXPECT_TRUE(result);
+  return result ? result->radiance : std::vector<double>(wavelengths_nm.size());
+}
+
+// With a hole from the top down to 120 degrees no ray above y = -0.5 meets any film, and none below misses it: only
+// what the film reflects to and fro within the bubble may be lost in the hole.
+TEST(Popping, leaves_nothing_in_the_hole_and_all_around_it) {
+  const std::string film = "film: {medium: water, thickness: {constant_nm: 500}}";
+  const std::string none = "  - bubble: {center: [0, 90, 0], " + film + "}\n", whole = "  - bubble: {" + film + "}\n";
+  // v = 10 m/s: 120 degrees of 3 cm after 6.28 ms
+  const std::string holed = "  - bubble: {popping: {start_s: 1}, " + film + "}\n";
+  const double time_s = 1 + 2 * 3.14159265 / 3 * 0.03 / 10;
+  for (const std::string& model : models)
+    for (const std::string& other : kernels) {
+      SCOPED_TRACE(model + other);
+      const scene::Scene bubble = scene_of(whole + other, model), burst = scene_of(holed + other, model, time_s),
+                         empty = scene_of(none + other, model);
+      ASSERT_EQ(burst.spheres.size(), 1u);
+      // A row of the picture is 0.064 wide; its edge at -0.5 lies in rows 27 and 28, further down before the middle.
+      EXPECT_LT(difference(burst, empty, 0, 26), most_by_chance);
+      EXPECT_GT(difference(bubble, empty, 0, 26), 5 * most_by_chance);
+      EXPECT_LT(difference(burst, bubble, 31, side), 5 * most_by_chance);
+      EXPECT_GT(difference(burst, empty, 31, side), 5 * most_by_chance);
+      const Vec3d eye{0, 0, 6};
+      const std::vector<double> in_hole = seen(burst, eye, {0.1, -0.3, 0}),
+                                background = seen(empty, eye, {0.1, -0.3, 0}), below = seen(burst, eye, {0.1, -0.8, 0}),
+                                film_there = seen(bubble, eye, {0.1, -0.8, 0});
+      for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+        EXPECT_NEAR(in_hole[i], background[i], 1e-5 * background[i]);
+        EXPECT_NEAR(below[i], film_there[i], 0.02 * film_there[i]);
+      }
+    }
+}
+
+// Also for light that a polariser lets through: the light keeps its polarisation.
+TEST(Popping, leaves_polarised_light_alone) {
+  for (const std::string& model : models) {
+    scene::Scene holed = scene_of("  - bubble: {film: {medium: water, thickness: {constant_nm: 0}}}\n", model);
+    scene::Scene empty = holed;
+    empty.spheres.clear(), empty.films.clear();
+    holed.camera.polarizer_rad = empty.camera.polarizer_rad = 0.4;
+    EXPECT_LT(difference(holed, empty), most_by_chance) << model;
+    const Vec3d eye{0, 0, 6}, towards{0.5, 0.8, 0};
+    const auto with = seen(holed, eye, towards), without = seen(empty, eye, towards);
+    for (std::size_t i = 0; i < with.size(); ++i) EXPECT_NEAR(with[i], without[i], 1e-5 * without[i]) << model;
+  }
+}
+
+}  // namespace
+}  // namespace shabon
