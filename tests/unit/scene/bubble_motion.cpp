@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "shabon/scene/compile.h"
+#include "shabon/scene/running_films.h"
 
 namespace shabon::scene {
 namespace {
@@ -94,6 +95,83 @@ TEST(Popping, leaves_pictures_where_they_are) {
       loaded("film: {medium: water, thickness: {map: {file: x.exr}}}, body: {thickness_nm: 1000}, popping: {}", 0.01);
   EXPECT_EQ(nm_at(scene, 1.4), 0);
   EXPECT_NEAR(nm_at(scene, 1.43), 600, 1e-3);
+}
+
+// A film so thin that it breaks in its first step.
+const std::string breaking =
+    "film: {medium: water, thickness: {flow: {level: 2, radius_m: 0.03, mean_thickness_nm: 300, rupture: {from_nm: "
+    "990, "
+    "to_nm: 1000}}}}";
+
+struct Run {
+  Scene scene;
+  film::FilmFlow::Rupture rupture;
+};
+
+Run run(const std::string& bubble, double later_s) {
+  Scene scene = loaded(bubble, 0.5);
+  auto films = RunningFilms::start(scene);
+  EXPECT_TRUE(films.ok());
+  EXPECT_TRUE(films->advance_to(0.5).ok());
+  auto flow = film::FilmFlow::start(*scene.films.at(0).flow);
+  EXPECT_TRUE(flow->advance_to(0.5).ok());
+  Run result{std::move(scene), {}};
+  if (films->broken_s()) result.rupture = *flow->rupture(), result.rupture.time_s = *films->broken_s();
+  result.scene.time_s = result.rupture.time_s + later_s;
+  films->show_in(result.scene);
+  return result;
+}
+
+TEST(Popping, opens_a_simulated_film_where_it_broke) {
+  for (const double slow : {1.0, 50.0}) {
+    constexpr double later_s = 0.002;
+    const auto [scene, rupture] =
+        run(breaking + (slow > 1 ? ", popping: {start_s: 77, from_centre: [0, -1, 0], slow_motion: 50}" : ""), later_s);
+    ASSERT_LT(rupture.time_s, 0.1);
+    const auto& holed = std::get<film::HoledFilm>(scene.films[0].thickness);
+    const double mean_m = 1e-9 * film::mean_thickness_nm(holed.film->field);
+    EXPECT_NEAR(mean_m, 300e-9, 40e-9);
+    const double rim_speed_m_s = std::sqrt(2 * 0.025 / (1000 * mean_m));
+    EXPECT_NEAR(std::acos(holed.cos_hole), rim_speed_m_s * later_s / 0.03 / slow, 1e-9) << slow;
+    EXPECT_NEAR(math::length(holed.axis - math::normalize(rupture.from_centre)), 0, 1e-12);
+    EXPECT_FALSE(has_idle_film(scene));
+  }
+}
+
+TEST(Popping, leaves_nothing_of_a_simulated_film) {
+  const Scene gone = run(breaking, 0.1).scene,
+              told = run("film: {medium: water, thickness: {flow: {level: 1}}}, "
+                         "popping: {start_s: 0.1}",
+                         0.5)
+                         .scene,
+              waiting = run("film: {medium: water, thickness: {flow: {level: 1}}}, popping: {start_s: 10}", 0.5).scene;
+  for (const double angle : {0.0, 1.0, 2.0, std::numbers::pi}) {
+    EXPECT_EQ(nm_at(gone, angle), 0);
+    EXPECT_EQ(nm_at(told, angle), 0);
+    EXPECT_GT(nm_at(waiting, angle), 0);
+  }
+}
+
+// Simulated films keep their places among those that come and go.
+TEST(Popping, keeps_simulated_films_apart_from_others) {
+  const std::string other =
+      "bubble: {film: {medium: water, thickness: {constant_nm: 500}}, popping: {start_s: 1}}\n  - ";
+  const std::string flow =
+      "film: {medium: water, thickness: {flow: {level: 1, mean_thickness_nm: 900}}}, center: [3, 0, 0]";
+  const auto at = [&](double time_s) {
+    return *load_scene("shabon: 1\ntime_s: " + std::to_string(time_s) +
+                           "\nenvironment: {constant: {}}\nobjects:\n  - " + other + "bubble: {" + flow + "}\n",
+                       "test.yaml", {}, {});
+  };
+  const Scene before = at(0.5);
+  Scene after = at(5);
+  ASSERT_EQ(before.films.size(), 2u);
+  ASSERT_EQ(after.films.size(), 1u);
+  const auto films = RunningFilms::start(before);
+  ASSERT_TRUE(films);
+  films->show_in(after);
+  EXPECT_FALSE(has_idle_film(after));
+  EXPECT_NEAR(nm_at(after, 1), 900, 300);
 }
 
 }  // namespace
