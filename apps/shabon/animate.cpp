@@ -14,6 +14,7 @@
 #include "render_report.h"
 #include "scene_input.h"
 #include "shabon/io/file.h"
+#include "shabon/io/image.h"
 #include "shabon/render/render.h"
 #include "shabon/scene/running_films.h"
 #include "shabon/scene/schema_fields.h"
@@ -45,11 +46,15 @@ struct AnimateCommand {
   }
   double time_of(int frame) const { return start_s.value_or(0) + frame / frames_per_second(); }
   const PictureKind& picture() const { return picture_kinds()[kind]; }
-  std::string pattern() const { return (fs::path(*folder) / "frame.%04d").string() + std::string(picture().ending); }
   fs::path file_of(int frame) const {
     return fs::path(*folder) / fmt::format("frame.{:04}{}", frame, picture().ending);
   }
 };
+
+// Whether the picture of a frame is there to its end.
+bool is_whole(const fs::path& file) {
+  return same_name(file.extension().string(), ".png") ? io::read_png(file).ok() : io::read_exr(file).ok();
+}
 
 // The scene of a frame. Each has random numbers of its own: what is left of the noise does not stand still over the
 // moving picture.
@@ -70,8 +75,7 @@ class Animation {
   int run() {
     int code = success;
     for (frame_ = command_.first_frame(); frame_ <= command_.last_frame() && !interrupt_.interrupted(); ++frame_) {
-      std::error_code error;
-      if (command_.resume && fs::exists(command_.file_of(frame_), error)) continue;
+      if (command_.resume && is_whole(command_.file_of(frame_))) continue;
       if (code = one_frame(); code != success || interrupt_.interrupted()) break;
     }
     bar_.finish();
@@ -114,13 +118,15 @@ class Animation {
   int finish(int code) {
     const std::string folder = printable(*command_.folder);
     if (code != success || interrupt_.interrupted()) {
-      say(fmt::format("{} frames are complete in '{}'; --resume makes the others", rendered_, folder));
+      if (running_) say(fmt::format("wrote {} frames in '{}'; --resume makes the others", rendered_, folder));
       return code != success ? code : interrupt_.exit_code();
     }
+    if (const auto broken = running_ ? running_->broken_s() : std::nullopt)
+      say(fmt::format("the film broke at {:.3f} s", *broken));
     if (!command_.quiet) say(fmt::format("wrote {} frames in '{}'", rendered_, folder));
     if (!command_.movie) return success;
     const Status made =
-        write_movie(command_.pattern(), command_.first_frame(), command_.last_frame() - command_.first_frame() + 1,
+        write_movie(*command_.folder, command_.first_frame(), command_.last_frame() - command_.first_frame() + 1,
                     command_.frames_per_second(), *command_.movie);
     if (!made) return report(made.errors());
     if (!command_.quiet) say(fmt::format("wrote {}", printable(*command_.movie)));
@@ -149,10 +155,8 @@ Status check(const AnimateCommand& command) {
   if (!command.resume && fs::exists(command.file_of(command.first_frame()), error))
     return fail(Failure::usage, fmt::format("'{}' is there already: expected --resume to keep it, or another folder",
                                             printable(command.file_of(command.first_frame()).string())));
-  if (command.movie && !has_ffmpeg())
-    return fail(Failure::file,
-                "--movie: expected the program ffmpeg to be installed; without --movie the frames "
-                "are written alone");
+  if (command.movie)
+    if (const Status movie = check_movie(*command.movie); !movie) return movie;
   return io::check_writable(command.file_of(command.first_frame()));
 }
 
@@ -182,14 +186,14 @@ Action declare_animate(CLI::App& app) {
   add_integer(app, "--threads", command->threads, 1, most_threads, "Threads; never changes the pictures [one a core]");
   add_number(app, "--exposure", command->exposure_ev, scene::exposure_range, "EV",
              "Brightens PNG pictures by 2^EV, on top of image.exposure_ev [0]");
-  app.add_flag("--resume", command->resume, "Leaves out frames that are there");
+  app.add_flag("--resume", command->resume, "Leaves out frames that are there, and whole; the scene must be the same");
   app.add_flag("--quiet", command->quiet, "No progress; only warnings and errors");
   app.footer(
       R"(Frames are frame.0000.png and so on, each a picture of the scene at its time (time_s): films age, simulated films run,
 sequences of maps go on. An interrupted run keeps every finished frame.
 
 Examples:
-  shabon animate scenes/drain/scene.yaml -o drain --seconds 10 --movie drain.mp4
+  shabon animate scenes/draining-film/scene.yaml -o drain --seconds 10 --movie drain.mp4
   shabon animate scene.yaml -o part --first 100 --last 149 --samples 16 --size 400x300
   shabon animate scene.yaml -o part --resume)");
   return [command] { return run_animate(*command); };

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 #include <tuple>
 
-#include "flow_frame.h"
 #include "shabon/base/text.h"
 #include "shabon/io/csv.h"
 #include "shabon/io/file.h"
@@ -35,24 +35,77 @@ std::vector<double> row_of(int frame, const film::FlowReport& report) {
   return row;
 }
 
+// The number in "stem.0012.ending", when `name` is one of ours.
+std::optional<int> frame_of(const std::string& name) {
+  std::vector<std::string_view> stems = {checkpoint_stem, "film"};
+  for (const FrameKind& kind : frame_kinds()) stems.push_back(kind.name);
+  const std::vector<std::string_view> parts = split(name, '.');
+  if (parts.size() != 3 || std::find(stems.begin(), stems.end(), parts[0]) == stems.end()) return {};
+  const auto frame = parse_integer(parts[1]);
+  return frame && *frame >= 0 ? std::optional<int>(static_cast<int>(*frame)) : std::nullopt;
+}
+
 // The frames that have a checkpoint, rising.
 std::vector<int> checkpoint_frames(const fs::path& folder) {
   std::vector<int> frames;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const std::string stem = std::string(checkpoint_stem) + ".";
-    if (!name.starts_with(stem) || !name.ends_with(checkpoint_ending)) continue;
-    const auto frame = parse_integer(name.substr(stem.size(), name.size() - stem.size() - checkpoint_ending.size()));
-    if (frame && *frame >= 0) frames.push_back(static_cast<int>(*frame));
+    const auto frame = frame_of(name);
+    if (frame && name.starts_with(checkpoint_stem)) frames.push_back(*frame);
   }
   std::sort(frames.begin(), frames.end());
   return frames;
 }
 
+// One row of numbers: -1 for a range that is not given, 0 and 1 for kinds.
+std::string settings_text(const FlowSettings& settings) {
+  std::vector<std::string> names = {"frames_per_second", "checkpoint_every", "lat_long_width",
+                                    "cube_edge",         "png_low_nm",       "png_high_nm"};
+  const auto range = settings.maps.png_range_nm.value_or(std::array{-1.0, -1.0});
+  std::vector<double> row = {settings.frames_per_second,
+                             double(settings.checkpoint_every),
+                             double(settings.maps.lat_long_width),
+                             double(settings.maps.cube_edge),
+                             range[0],
+                             range[1]};
+  for (const FrameKind& kind : frame_kinds()) {
+    names.emplace_back(kind.name);
+    row.push_back(std::count(settings.kinds.begin(), settings.kinds.end(), &kind) > 0);
+  }
+  io::CsvWriter table(names);
+  table.row(row);
+  return table.text();
+}
+
+Result<FlowSettings> read_settings(const fs::path& path) {
+  const auto table = io::read_csv(path);
+  if (!table) return table.errors();
+  Diagnostics errors;
+  const auto number = [&](std::string_view name) {
+    const auto values = io::numbers(*table, name);
+    if (!values) errors.insert(errors.end(), values.errors().begin(), values.errors().end());
+    return values ? values->front() : 0;
+  };
+  FlowSettings settings;
+  settings.frames_per_second = number("frames_per_second");
+  settings.checkpoint_every = static_cast<int>(number("checkpoint_every"));
+  settings.maps.lat_long_width = static_cast<int>(number("lat_long_width"));
+  settings.maps.cube_edge = static_cast<int>(number("cube_edge"));
+  const double low = number("png_low_nm"), high = number("png_high_nm");
+  if (low >= 0) settings.maps.png_range_nm = {low, high};
+  for (const FrameKind& kind : frame_kinds())
+    if (number(kind.name) != 0) settings.kinds.push_back(&kind);
+  if (!errors.empty()) return errors;
+  if (!(settings.frames_per_second > 0) || settings.checkpoint_every < 1 || settings.maps.lat_long_width < 2 ||
+      settings.maps.cube_edge < 2)
+    return fail(Failure::content, fmt::format("expected settings above 0 in '{}'", printable(path.string())));
+  return settings;
+}
+
 }  // namespace
 
-Result<FlowFolder> FlowFolder::begin(const fs::path& path, double frames_per_second) {
+Result<FlowFolder> FlowFolder::begin(const fs::path& path, const FlowSettings& settings) {
   std::error_code error;
   if (fs::exists(path / settings_name, error))
     return fail(Failure::usage, fmt::format("'{}' holds a simulation already: expected --resume to go on with it, or "
@@ -64,22 +117,20 @@ Result<FlowFolder> FlowFolder::begin(const fs::path& path, double frames_per_sec
     errors.front().source = path.string();
     return errors;
   }
-  FlowFolder folder(path, frames_per_second);
-  const std::string column = "frames_per_second";
-  io::CsvWriter settings(std::span(&column, 1));
-  settings.row(std::span(&frames_per_second, 1));
-  if (const Status written = folder.write(std::string(settings_name), settings.text()); !written)
-    return written.errors();
+  FlowFolder folder(path, settings);
+  if (const Status written = folder.change(settings); !written) return written.errors();
   return folder;
 }
 
+Status FlowFolder::change(const FlowSettings& settings) {
+  settings_ = settings;
+  return write(std::string(settings_name), settings_text(settings));
+}
+
 Result<FlowFolder> FlowFolder::reopen(const fs::path& path) {
-  const auto settings = io::read_csv(path / settings_name);
+  const auto settings = read_settings(path / settings_name);
   if (!settings) return settings.errors();
-  const auto rate = io::numbers(*settings, "frames_per_second");
-  if (!rate) return rate.errors();
-  if (!(rate->front() > 0)) return fail(Failure::content, "expected frames_per_second above 0 in simulation.csv");
-  FlowFolder folder(path, rate->front());
+  FlowFolder folder(path, *settings);
   std::error_code error;
   if (!fs::exists(path / rows_name, error)) return folder;
   const auto table = io::read_csv(path / rows_name);
@@ -94,13 +145,13 @@ Result<FlowFolder> FlowFolder::reopen(const fs::path& path) {
 }
 
 Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame) {
+  if (!frame && !rows_.empty()) frame = static_cast<int>(rows_.back().front());
   const std::vector<int> frames = checkpoint_frames(path_);
-  auto found = frames.end();
-  for (auto it = frames.begin(); it != frames.end(); ++it)
-    if (!frame || *it <= *frame) found = it;
-  if (found == frames.end())
+  const auto after = std::upper_bound(frames.begin(), frames.end(), frame.value_or(std::numeric_limits<int>::max()));
+  if (after == frames.begin())
     return fail(Failure::content, fmt::format("'{}' holds no checkpoint{}", printable(path_.string()),
                                               frame ? fmt::format(" at or before frame {}", *frame) : std::string()));
+  const auto found = std::prev(after);
   const fs::path file = path_ / frame_name(checkpoint_stem, *found, checkpoint_ending);
   const auto bytes = io::read_file(file, most_checkpoint_bytes);
   if (!bytes) return bytes.errors();
@@ -108,10 +159,22 @@ Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame) {
   if (!flow) {
     Diagnostics errors = flow.errors();
     for (Diagnostic& flaw : errors) flaw.source = file.string();
+    if (found != frames.begin())
+      errors.back().message += fmt::format("; --resume-from {} takes the checkpoint before it", *std::prev(found));
     return errors;
   }
-  std::erase_if(rows_, [&](const std::vector<double>& row) { return row.front() > *found; });
+  forget_after(*found);
   return Start{std::move(flow).value(), *found};
+}
+
+void FlowFolder::forget_after(int frame) {
+  std::erase_if(rows_, [&](const std::vector<double>& row) { return row.front() > frame; });
+  std::vector<fs::path> later;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_, error))
+    if (const auto number = frame_of(entry.path().filename().string()); number && *number > frame)
+      later.push_back(entry.path());
+  for (const fs::path& file : later) fs::remove(file, error);
 }
 
 Status FlowFolder::add_row(int frame, const film::FlowReport& report) {

@@ -6,27 +6,39 @@
 #include <string>
 #include <vector>
 
+#include "flow_frame.h"
 #include "shabon/base/result.h"
 #include "shabon/film/flow/flow.h"
 
 namespace shabon::app {
 
+// What every frame of a simulation has in common.
+struct FlowSettings {
+  double frames_per_second = 25;
+  int checkpoint_every = 10;  // frames
+  MapSizes maps;
+  std::vector<const FrameKind*> kinds;
+};
+
 class FlowFolder {
  public:
   // A folder that holds no simulation yet; it is made where it is missing. Errors: Failure::usage when it holds one,
   // Failure::file when it cannot be made or written.
-  static Result<FlowFolder> begin(const std::filesystem::path& path, double frames_per_second);
+  static Result<FlowFolder> begin(const std::filesystem::path& path, const FlowSettings& settings);
 
   // A simulation to go on with. Errors: Failure::file, Failure::content when its files are damaged.
   static Result<FlowFolder> reopen(const std::filesystem::path& path);
 
-  double frames_per_second() const { return frames_per_second_; }
+  const FlowSettings& settings() const { return settings_; }
+  // Errors as write().
+  Status change(const FlowSettings& settings);
 
   struct Start {
     film::FilmFlow flow;
     int frame;
   };
-  // The flow at the last checkpoint at or before `frame` (none: the last of all). Rows of later frames are forgotten.
+  // The flow at the last checkpoint at or before `frame` (none: the last that diagnostics.csv knows). Rows and files of
+  // later frames are forgotten. Errors: Failure::content when there is none or it is damaged.
   Result<Start> latest(std::optional<int> frame);
 
   // Adds the row of a frame. Everything is on disk when it returns.
@@ -36,12 +48,13 @@ class FlowFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  FlowFolder(std::filesystem::path path, double frames_per_second)
-      : path_(std::move(path)), frames_per_second_(frames_per_second) {}
+  FlowFolder(std::filesystem::path path, FlowSettings settings)
+      : path_(std::move(path)), settings_(std::move(settings)) {}
   Status write_rows();
+  void forget_after(int frame);
 
   std::filesystem::path path_;
-  double frames_per_second_;
+  FlowSettings settings_;
   std::vector<std::vector<double>> rows_;  // frame first
 };
 

@@ -38,9 +38,8 @@ Files one_file(std::string name, Result<std::string> bytes) {
 
 Files lat_long_files(const film::FilmFlow& flow, const FrameMaps& maps, int frame, const io::Metadata& metadata) {
   const int width = maps.sizes().lat_long_width;
-  return one_file(
-      frame_name("lat-long", frame, ".exr"),
-      io::encode_exr_numbers(width, width / 2, maps.lat_long_nm(flow), io::Layout::latitude_longitude, metadata));
+  return one_file(frame_name("lat-long", frame, ".exr"),
+                  io::encode_exr_numbers(width, width / 2, maps.lat_long_nm(flow), io::Layout::flat, metadata));
 }
 
 Files cube_files(const film::FilmFlow& flow, const FrameMaps& maps, int frame, const io::Metadata& metadata) {

@@ -20,6 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Players take untagged pictures for BT.601 or BT.709 as they like: convert, and tag what it is.
+constexpr const char* to_bt709 =
+    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=in_range=pc:out_range=tv:out_color_matrix=bt709,format=yuv420p";
+
 // The exit code of the program, with its messages in `log`; -1 when it cannot be called.
 int called(std::vector<std::string> arguments, const fs::path& log) {
   std::vector<char*> pointers;
@@ -48,9 +52,25 @@ Status refuse(const fs::path& movie, const std::string& message) {
 
 }  // namespace
 
-bool has_ffmpeg() { return called({"ffmpeg", "-version"}, "/dev/null") == 0; }
+Status check_movie(const fs::path& movie) {
+  constexpr std::string_view endings[] = {".mp4", ".mkv", ".mov"};
+  bool known = false;
+  for (const std::string_view ending : endings) known |= same_name(movie.extension().string(), ending);
+  if (!known)
+    return fail(Failure::usage, fmt::format("--movie: expected a file ending in .mp4, .mkv or .mov, got '{}'",
+                                            printable(movie.string())));
+  if (const Status writable = io::check_writable(movie); !writable) return writable;
+  if (called({"ffmpeg", "-version"}, "/dev/null") != 0)
+    return fail(Failure::file,
+                "--movie: expected the program ffmpeg to be installed; without --movie the frames are "
+                "written alone");
+  return Done{};
+}
 
-Status write_movie(const std::string& frames, int first, int count, double frames_per_second, const fs::path& movie) {
+Status write_movie(const fs::path& folder, int first, int count, double frames_per_second, const fs::path& movie) {
+  std::string frames;  // a pattern, in which % counts
+  for (const char c : folder.string()) frames += c == '%' ? "%%" : std::string(1, c);
+  frames += "/frame.%04d.png";
   // With the ending kept, which decides the form.
   const fs::path unfinished = movie.parent_path() / (".unfinished-" + movie.filename().string());
   const fs::path log = movie.parent_path() / (".unfinished-" + movie.filename().string() + ".log");
@@ -66,10 +86,10 @@ Status write_movie(const std::string& frames, int first, int count, double frame
                                         frames,
                                         "-frames:v",
                                         std::to_string(count)};
-  if (same_name(movie.extension().string(), ".mp4") || same_name(movie.extension().string(), ".mkv"))
-    for (const char* argument : {"-c:v", "libx264", "-crf", "16", "-preset", "slow", "-pix_fmt", "yuv420p", "-vf",
-                                 "pad=ceil(iw/2)*2:ceil(ih/2)*2"})
-      arguments.emplace_back(argument);
+  for (const char* argument :
+       {"-c:v", "libx264", "-crf", "16", "-preset", "slow", "-vf", to_bt709, "-colorspace", "bt709", "-color_primaries",
+        "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"})
+    arguments.emplace_back(argument);
   arguments.push_back(unfinished.string());
   const int code = called(arguments, log);
   std::error_code error;
@@ -77,7 +97,7 @@ Status write_movie(const std::string& frames, int first, int count, double frame
   fs::remove(log, error);
   if (code != 0) {
     fs::remove(unfinished, error);
-    if (code < 0) return refuse(movie, "expected the program ffmpeg to make the movie; it cannot be called");
+    if (code < 0) return refuse(movie, "ffmpeg could not be called");
     const std::string reason = said ? std::string(trim(said->substr(0, said->find('\n')))) : std::string();
     return refuse(movie, "ffmpeg made no movie" + (reason.empty() ? "" : ": " + printable(reason, 200)));
   }

@@ -8,13 +8,13 @@
 
 namespace shabon::app {
 
-// Whether ffmpeg can be called.
-bool has_ffmpeg();
+// Everything that can be known to fail before the first frame. Errors: Failure::usage for an ending that is no movie's,
+// Failure::file when it cannot be written or ffmpeg cannot be called.
+Status check_movie(const std::filesystem::path& movie);
 
-// `frames` is a pattern such as "DIR/frame.%04d.png". H.264 with all colours (4:4:4 would not play everywhere: 4:2:0),
-// or what the ending of `movie` asks for. The movie appears when it is whole. Errors: Failure::file with what ffmpeg
-// said.
-Status write_movie(const std::string& frames, int first, int count, double frames_per_second,
+// The frames are FOLDER/frame.0000.png and so on. H.264 with colours at half the resolution (4:2:0), which plays
+// everywhere, in BT.709. The movie appears when it is whole. Errors: Failure::file with what ffmpeg said.
+Status write_movie(const std::filesystem::path& folder, int first, int count, double frames_per_second,
                    const std::filesystem::path& movie);
 
 }  // namespace shabon::app

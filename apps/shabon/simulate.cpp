@@ -64,51 +64,62 @@ Result<std::vector<const FrameKind*>> kinds_of(const std::vector<std::string>& t
   return found;
 }
 
+// What the flags say, in place of what was set before.
+Result<FlowSettings> settings_of(const SimulateCommand& command, FlowSettings settings) {
+  if (!command.kinds.empty()) {
+    const auto kinds = kinds_of(command.kinds);
+    if (!kinds) return kinds.errors();
+    settings.kinds = *kinds;
+  }
+  if (command.rate) settings.frames_per_second = *command.rate;
+  if (command.checkpoint_every) settings.checkpoint_every = static_cast<int>(*command.checkpoint_every);
+  if (command.lat_long_width) settings.maps.lat_long_width = static_cast<int>(*command.lat_long_width) / 2 * 2;
+  if (command.cube_edge) settings.maps.cube_edge = static_cast<int>(*command.cube_edge);
+  if (command.png_range.size() == 2) settings.maps.png_range_nm = {command.png_range[0], command.png_range[1]};
+  return settings;
+}
+
 // One simulation from its first frame to its last.
 class Run {
  public:
-  Run(const SimulateCommand& command, std::vector<const FrameKind*> kinds, FlowFolder folder, film::FilmFlow flow,
-      int frame, const InterruptGuard& interrupt)
+  Run(const SimulateCommand& command, FlowFolder folder, film::FilmFlow flow, int frame,
+      const InterruptGuard& interrupt)
       : command_(command),
-        kinds_(std::move(kinds)),
         folder_(std::move(folder)),
         flow_(std::move(flow)),
         frame_(frame),
+        first_(frame),
         interrupt_(interrupt),
-        maps_(flow_, sizes()) {}
+        maps_(flow_, folder_.settings().maps) {}
 
   // Writes the present frame, too, when it is the first.
   int go_on() {
-    const int last = static_cast<int>(std::floor(command_.seconds.value_or(10) * folder_.frames_per_second() + 1e-9));
+    const double rate = folder_.settings().frames_per_second;
+    const int last = static_cast<int>(std::floor(command_.seconds.value_or(10) * rate + 1e-9));
     ProgressBar bar(command_.quiet, "simulating");
     Status done = frame_ == 0 ? write_frame(true) : Status(Done{});
-    const int first = frame_;
     while (done && frame_ < last && !interrupt_.interrupted() && !flow_.rupture()) {
       done = step();
-      bar.update(double(frame_ - first) / std::max(last - first, 1));
+      bar.update(double(frame_ - first_) / std::max(last - first_, 1));
     }
     bar.finish();
     return finish(done);
   }
 
  private:
-  MapSizes sizes() const {
-    MapSizes sizes;
-    if (command_.lat_long_width) sizes.lat_long_width = static_cast<int>(*command_.lat_long_width) / 2 * 2;
-    if (command_.cube_edge) sizes.cube_edge = static_cast<int>(*command_.cube_edge);
-    if (command_.png_range.size() == 2) sizes.png_range_nm = {command_.png_range[0], command_.png_range[1]};
-    return sizes;
-  }
-
   // To the next frame. A stop on the way leaves the last one as it was.
   Status step() {
     checkpoint_ = flow_.checkpoint();
     flow_.begin_report();
-    const Status advanced = flow_.advance_to((frame_ + 1) / folder_.frames_per_second(), &interrupt_.stop());
+    const Status advanced = flow_.advance_to((frame_ + 1) / folder_.settings().frames_per_second, &interrupt_.stop());
     if (!advanced || interrupt_.interrupted()) return advanced;
     ++frame_;
-    checkpoint_.clear();
-    return write_frame(frame_ % static_cast<int>(command_.checkpoint_every.value_or(10)) == 0);
+    const Status written = write_frame(frame_ % folder_.settings().checkpoint_every == 0);
+    if (written)
+      checkpoint_.clear();
+    else
+      --frame_;
+    return written;
   }
 
   Status write_frame(bool with_checkpoint) {
@@ -116,7 +127,7 @@ class Run {
                                 {"content", "thickness of a simulated soap film in nm"},
                                 {"frame", std::to_string(frame_)},
                                 {"time_s", format_number(flow_.time_s())}};
-    for (const FrameKind* kind : kinds_) {
+    for (const FrameKind* kind : folder_.settings().kinds) {
       const auto files = kind->files(flow_, maps_, frame_, metadata);
       if (!files) return files.errors();
       for (const FrameFile& file : *files)
@@ -135,51 +146,58 @@ class Run {
     if (!kept && done) code = report(kept.errors());
     const std::string place = printable(folder_.path().string());
     if (const auto broken = flow_.rupture(); broken && done)
-      say(fmt::format("the film broke at {:.3f} s, where it was thinner than {:.1f} nm", broken->time_s,
-                      broken->threshold_nm));
+      say(fmt::format(
+          "the film broke at {:.3f} s, where it was thinner than {:.1f} nm, in the direction {:.3f} {:.3f} {:.3f}",
+          broken->time_s, broken->threshold_nm, broken->from_centre.x, broken->from_centre.y, broken->from_centre.z));
     if (!done || interrupt_.interrupted())
-      say(fmt::format("frames 0 to {} are complete in '{}'; --resume goes on from there", frame_, place));
+      say(fmt::format("frames 0 to {} are complete in '{}'{}", frame_, place,
+                      code == static_cast<int>(Failure::content) ? "" : "; --resume goes on from there"));
+    else if (frame_ == first_ && first_ > 0)
+      say(fmt::format("frame {} is there already; nothing is written", frame_));
     else if (!command_.quiet)
-      say(fmt::format("wrote frames 0 to {} in '{}'", frame_, place));
+      say(fmt::format("wrote frames {} to {} in '{}'", first_ == 0 ? 0 : first_ + 1, frame_, place));
     return code == success && interrupt_.interrupted() ? interrupt_.exit_code() : code;
   }
 
   const SimulateCommand& command_;
-  std::vector<const FrameKind*> kinds_;
   FlowFolder folder_;
   film::FilmFlow flow_;
-  int frame_;
+  int frame_, first_;
   const InterruptGuard& interrupt_;
   FrameMaps maps_;
   std::vector<std::byte> checkpoint_;  // of the last frame, while the next is on its way
 };
 
-int start_anew(const SimulateCommand& command, std::vector<const FrameKind*> kinds) {
+int start_anew(const SimulateCommand& command) {
+  FlowSettings usual;
+  usual.kinds = {&frame_kinds()[0], &frame_kinds()[1]};
+  const auto settings = settings_of(command, usual);
+  if (!settings) return report(settings.errors());
   const InterruptGuard interrupt;
   const auto desc = description(command);
   if (!desc) return report(desc.errors());
   auto flow = film::FilmFlow::start(*desc);
   if (!flow) return report(flow.errors());
-  const auto folder = FlowFolder::begin(*command.folder, command.rate.value_or(25));
+  const auto folder = FlowFolder::begin(*command.folder, *settings);
   if (!folder) return report(folder.errors());
-  return Run(command, std::move(kinds), *folder, std::move(flow).value(), 0, interrupt).go_on();
+  return Run(command, *folder, std::move(flow).value(), 0, interrupt).go_on();
 }
 
-int start_again(const SimulateCommand& command, std::vector<const FrameKind*> kinds) {
+int start_again(const SimulateCommand& command) {
   const InterruptGuard interrupt;
   auto folder = FlowFolder::reopen(*command.folder);
   if (!folder) return report(folder.errors());
+  const auto settings = settings_of(command, folder->settings());
+  if (!settings) return report(settings.errors());
   const auto wanted = command.resume_frame ? std::optional<int>(int(*command.resume_frame)) : std::nullopt;
   auto start = folder->latest(wanted);
   if (!start) return report(start.errors());
+  if (const Status changed = folder->change(*settings); !changed) return report(changed.errors());
   if (!command.quiet) say(fmt::format("going on from frame {}", start->frame));
-  return Run(command, std::move(kinds), std::move(folder).value(), std::move(start->flow), start->frame, interrupt)
-      .go_on();
+  return Run(command, std::move(folder).value(), std::move(start->flow), start->frame, interrupt).go_on();
 }
 
 int run_simulate(const SimulateCommand& command) {
-  const auto kinds = kinds_of(command.kinds.empty() ? std::vector<std::string>{"lat-long,cube"} : command.kinds);
-  if (!kinds) return report(kinds.errors());
   if (!command.folder) return report(fail(Failure::usage, "expected -o DIR, a folder for the frames; got none"));
   const bool describes = command.file || command.preset || !command.overrides.empty();
   if (command.goes_on() && (describes || command.rate))
@@ -190,7 +208,7 @@ int run_simulate(const SimulateCommand& command) {
     return report(fail(Failure::usage, "expected a FILM file or --preset NAME; got neither"));
   if (command.png_range.size() == 2 && command.png_range[0] >= command.png_range[1])
     return report(fail(Failure::usage, "--png-range: expected the lower number first"));
-  return command.goes_on() ? start_again(command, *kinds) : start_anew(command, *kinds);
+  return command.goes_on() ? start_again(command) : start_anew(command);
 }
 
 }  // namespace

@@ -86,7 +86,6 @@ Result<std::string> encode_exr_numbers(int width, int height, std::span<const fl
                                        const Metadata& metadata) try {
   if (auto error = refuse_contents(width, height, 3 * values.size(), metadata)) return *error;
   Imf::Header header = make_header(width, height, "Y", metadata);
-  if (layout == Layout::latitude_longitude) Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
   if (layout == Layout::cube) Imf::addEnvmap(header, Imf::ENVMAP_CUBE);
   return encode(header, "Y", values);
 } catch (const std::exception& problem) {

@@ -59,8 +59,9 @@ Result<std::string> encode_png(int width, int height, std::span<const std::uint8
 // 16-bit grey, 0..65535 as they stand: numbers, no light. Errors as encode_png.
 Result<std::string> encode_png16(int width, int height, std::span<const std::uint16_t> grey, const Metadata& metadata);
 
-// What a picture of numbers lies on: tells readers how to lay it around (OpenEXR's `envmap`).
-enum class Layout { flat, latitude_longitude, cube };
+// What a picture of numbers lies on: a cube is marked as OpenEXR's `envmap`. Latitude-longitude pictures are not: those
+// of OpenEXR begin at another meridian.
+enum class Layout { flat, cube };
 
 // One float channel Y without loss (ZIP), such as thickness in nm; `values` row by row from the top. Errors as
 // encode_png.

@@ -72,7 +72,7 @@ constexpr auto fields(Of<CameraDesc>) {
       Field{"look_at",
             &CameraDesc::look_at,
             {.range = coordinate_range,
-             .unset = "[0, 0, 0]; of panoramas along -z",
+             .unset = "[0, 0, 0]; of panoramas along -z, or along x where up is along z",
              .doc = "the point in the middle of the picture"}},
       Field{"up", &CameraDesc::up, {.range = coordinate_range, .doc = "upwards in the picture; not along the view"}},
       Field{"projection",

@@ -112,6 +112,7 @@ TEST(Projections, a_polariser_extinguishes_the_reflection_at_brewsters_angle) {
       glass.stack = "air | 1.5";
       description.objects = {scene::QuadDesc{{{0, 0, 0}, {-90, 0, 0}}, 100, 100, {glass}}};
       description.camera.position = {0, 1, n};  // tan of the angle of incidence is n
+      description.camera.look_at = {0, 0, 0};
       description.camera.projection = entry.name;
       description.camera.polarizer_deg = axis_deg;
       if (pinhole) description.camera.vertical_fov_deg = 0.01;

@@ -106,6 +106,24 @@ TEST(WavelengthFurnace, RoughGlassKeepsItsLightAtEveryWavelength) {
   }
 }
 
+// Boundaries of many indices, from either side: nothing of a table may go wrong at one of them alone.
+TEST(IndexFurnace, RoughBoundariesKeepTheirLightAtEveryIndex) {
+  for (const char* stack : {"air | 1.05", "air | 1.6", "air | MgF2 99nm | 1.6", "air | 1.69", "1.2 | 1.6", "1.5 | 2.4",
+                            "1.5 | 1.0", "1.5 | air", "air | 1.62", "2.4 | 1.33"}) {
+    scene::Scene scene = testing_surfaces::lit_from_everywhere(1, 1, 1);
+    scene::DielectricSurface boundary;
+    boundary.coating.stack = *optics::parse_stack(stack);
+    boundary.roughness.constant = 0.3;
+    scene.surfaces.push_back(boundary);
+    testing_surfaces::add_object(scene, geometry::SphereCap{}, geometry::placement({0, 0, 0}), 0);
+    scene.medium = boundary.coating.stack.incidence;
+    const auto found = render::probe(scene, {{0.3, 0.2, 5}, {0, 0, -1}}, std::vector<double>{550.0}, {4096, 1});
+    ASSERT_TRUE(found) << stack;
+    const double light = scene.environment.channels[0][std::size_t(550 - color::first_nm)];
+    EXPECT_NEAR(found->radiance[0] / light, 1, 0.02 + 5 * found->standard_error[0] / light) << stack;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Furnace, ::testing::ValuesIn(testing_surfaces::surface_cases()),
                          [](const auto& tested) { return testing_surfaces::test_name(tested.param); });
 

@@ -114,9 +114,10 @@ Diagnostics Stepper::cannot_go_on(const FilmState& state, double step_s, const T
     return fail(Failure::content, when + "its elastic step did not converge in " +
                                       std::to_string(desc_.step.most_iterations) +
                                       " iterations; give a smaller step.longest_s or more step.most_iterations");
-  return fail(Failure::content, when + "a step would be " + format_number(step_s, 3) +
-                                    " s, below step.shortest_s; slow the air down, raise elasticity_n_m or "
-                                    "viscosity_pa_s, or take a lower level");
+  return fail(Failure::content,
+              when + "a step would be " + format_number(step_s, 3) +
+                  " s, below step.shortest_s; slow down what drives it (air, gravity_m_s2, initial.swirl_m_s), raise "
+                  "elasticity_n_m or viscosity_pa_s, or take a lower level");
 }
 
 Status Stepper::step(FilmState& state, double step_s, double end_s) {

@@ -53,9 +53,9 @@ template <class T, int N>
 inline RayLanes<N> ray_lanes(const StackTable& table, std::size_t first, const StackRay& at) {
   const double cos2 = std::max(at.cos_i * at.cos_i, least_cos2);
   const auto n1_squared = row_at<N>(table.incidence.in_double.n_squared, first);
-  const auto q1_squared = at.q1_squared == nullptr ? n1_squared * cos2
-                                                   : max(math::packet<double, N>::load(at.q1_squared),
-                                                         n1_squared * least_cos2);
+  const auto q1_squared = at.q1_squared == nullptr
+                              ? n1_squared * cos2
+                              : max(math::packet<double, N>::load(at.q1_squared), n1_squared * least_cos2);
   return {first, cos2, q1_squared, row_at<N>(table.half_turns_per_nm, first)};
 }
 
@@ -105,7 +105,8 @@ inline StackSides<T, N> cross_stack(const StackTable& table, std::size_t first, 
   using P = math::packet<T, N>;
   constexpr std::size_t layers_between_scalings = 8;
   const RayLanes<N> ray = ray_lanes<T, N>(table, first, at);
-  const bool running = table.exit.lossless && table.exit.least_step + table.least_n1_squared * ray.cos2 > 0;
+  const bool running =
+      table.exit.lossless && table.exit.least_step + table.least_n1_squared * ray.cos2 > least_q_squared;
   StackSides<T, N> sides;
   sides.lossless = table.lossless && running;
   sides.s.passed = sides.p.passed = P(T(1));

@@ -205,11 +205,14 @@ inline void cross_general(const MediumRows& layer, const RayLanes<N>& ray, doubl
   cross(wave.p, LayerMatrix<C>{cosine, over * n_squared, times * inverse});
 }
 
+// Nearer than this to its critical angle a medium is taken for one beyond it, whose formulas hold for q = 0, too: q^2 is
+// a difference that may round to 0 in one lane and above 0 in the test for all.
+inline constexpr double least_q_squared = 1e-12;
+
 // Whichever the layer needs at this angle.
 template <class T, int N>
 inline void cross_layer(const StackTable& table, const MediumRows& layer, const RayLanes<N>& ray, double thickness_nm,
                         StackWave<T, N>& wave) {
-  constexpr double least_q_squared = 1e-20;  // whose reciprocal root is still an ordinary number
   const bool real_angle = layer.lossless && layer.least_step + table.least_n1_squared * ray.cos2 > least_q_squared;
   if (!real_angle) return cross_general<T, N>(layer, ray, thickness_nm, wave);
   if (layer.constant)

@@ -306,6 +306,31 @@ TEST(PacketStack, Limits) {
   errors.expect();
 }
 
+// The cosine of the critical angle as the renderer's tables compute it: for some pairs of indices q^2 there is 0, for
+// others a rounding error of either sign. Into a thinner medium, and through a layer of it.
+TEST(PacketStack, IsFiniteAtEveryCriticalAngle) {
+  const auto check = [](const Stack& stack, double ratio) {
+    const double critical = std::sqrt(1 - 1 / (ratio * ratio));
+    for (const double cos_i : {critical, std::nextafter(critical, 0), std::nextafter(critical, 1)}) {
+      const StackCase it = case_of(stack, cos_i);
+      const auto fast = stack_powers<lanes>(StackTable(stack, it.wavelengths_nm), 0, {.cos_i = cos_i});
+      for (int i = 0; i < lanes; ++i) {
+        ASSERT_NEAR(fast.R_s[i] + fast.T_s[i], 1, 2e-5) << ratio << ' ' << cos_i;
+        ASSERT_NEAR(fast.R_p[i] + fast.T_p[i], 1, 2e-5) << ratio << ' ' << cos_i;
+      }
+    }
+  };
+  for (int far = 100; far <= 200; far += 10)
+    for (int near = far + 1; near <= 260; ++near) {
+      Stack bare, layered;
+      bare.incidence = Medium::constant(near / 100.0), bare.exit = Medium::constant(far / 100.0);
+      layered.incidence = layered.exit = bare.incidence;
+      layered.layers = {{bare.exit, 100, true}};
+      check(bare, (near / 100.0) / (far / 100.0));
+      check(layered, (near / 100.0) / (far / 100.0));
+    }
+}
+
 }  // namespace
 }  // namespace SHABON_REGISTERS
 }  // namespace shabon::optics
