@@ -42,6 +42,11 @@ film::NoiseField scaled(film::NoiseField film, double factor) {
   return film;
 }
 
+film::HoledFilm scaled(film::HoledFilm holed, double factor) {
+  scale(holed.film->field, factor);
+  return holed;
+}
+
 void scale(scene::NumberTexture& texture, double factor) {
   texture.constant *= factor;
   if (texture.picture.raster == nullptr) return;

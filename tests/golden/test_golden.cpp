@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -50,21 +51,34 @@ std::string how_to_make(const std::string& scene) {
 // What scatters light is noisier than bubbles are, and is given more samples: by default so many.
 int samples_of(const scene::Scene& scene) { return scene.objects.empty() ? 16 : 64; }
 
-// The scene as its file has it, but small.
-Result<scene::Scene> load(const std::string& name, int seed, std::optional<int> samples = {}) {
+// The scene as its file has it, but small, with its simulated films as they are at its time.
+Result<scene::Scene> small_scene(const std::string& name) {
   const fs::path path = scenes_folder / name / "scene.yaml";
   const Result<std::string> text = io::read_text_file(path, io::yaml_max_bytes);
   if (!text) return text.errors();
   const auto resources = api::file_resources(path.parent_path());
-  Result<scene::Scene> whole = scene::load_scene(*text, path.string(), {}, resources);
+  const Result<scene::Scene> whole = scene::load_scene(*text, path.string(), {}, resources);
   if (!whole) return whole;
   const int height = std::max(1, (width * whole->height + whole->width / 2) / whole->width);
-  const std::vector<std::string> overrides = {
-      "image.width=" + std::to_string(width), "image.height=" + std::to_string(height),
-      "render.seed=" + std::to_string(seed), "render.samples=" + std::to_string(samples.value_or(samples_of(*whole)))};
+  const std::vector<std::string> overrides = {"image.width=" + std::to_string(width),
+                                              "image.height=" + std::to_string(height)};
   auto scene = scene::load_scene(*text, path.string(), overrides, resources);
   if (!scene) return scene;
   if (const Status ran = scene::run_films(*scene); !ran) return ran.errors();
+  return scene;
+}
+
+Result<scene::Scene> load(const std::string& name, int seed, std::optional<int> samples = {}) {
+  static std::map<std::string, scene::Scene> known;  // films run for seconds
+  auto found = known.find(name);
+  if (found == known.end()) {
+    auto scene = small_scene(name);
+    if (!scene) return scene;
+    found = known.emplace(name, *std::move(scene)).first;
+  }
+  scene::Scene scene = found->second;
+  scene.render.seed = static_cast<std::uint64_t>(seed);
+  scene.render.samples = samples.value_or(samples_of(scene));
   return scene;
 }
 
