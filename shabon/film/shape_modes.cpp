@@ -16,15 +16,6 @@ double legendre(int degree, double x) {
   return degree == 0 ? 1 : now;
 }
 
-// Displacement at the axis over the radius.
-double swing(const BubbleBody& body, const ShapeMode& mode, double time_s) {
-  const double frequency = shape_frequency_rad_s(body, mode.degree);
-  const double damping = frequency / (2 * mode.quality);
-  const double turns = std::sqrt(frequency * frequency - damping * damping) * time_s;
-  const double phase = mode.phase_deg * std::numbers::pi / 180;
-  return mode.amplitude_m / body.radius_m * std::exp(-damping * time_s) * std::cos(turns + phase);
-}
-
 }  // namespace
 
 double shape_frequency_rad_s(const BubbleBody& body, int degree) {
@@ -34,6 +25,14 @@ double shape_frequency_rad_s(const BubbleBody& body, int degree) {
   const double film = body.density_kg_m3 * body.thickness_m;
   const double air = r * (body.inner_air_kg_m3 / l + body.outer_air_kg_m3 / (l + 1));
   return std::sqrt(stiffness / (r * r * (film + air)));
+}
+
+double swing(const BubbleBody& body, const ShapeMode& mode, double time_s) {
+  const double frequency = shape_frequency_rad_s(body, mode.degree);
+  const double damping = frequency / (2 * mode.quality);
+  const double turns = std::sqrt(frequency * frequency - damping * damping) * time_s;
+  const double phase = mode.phase_deg * std::numbers::pi / 180;
+  return mode.amplitude_m / body.radius_m * std::exp(-damping * time_s) * std::cos(turns + phase);
 }
 
 double radius_m(const BubbleBody& body, const std::vector<ShapeMode>& modes, const math::Vec3d& from_centre,

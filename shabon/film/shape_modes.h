@@ -52,6 +52,9 @@ constexpr auto fields(Of<ShapeMode>) {
             {.range = {.low = 0.6, .high = 1e6}, .doc = "periods in which the amplitude falls to 4 %"}}};
 }
 
+// Displacement at the axis over the radius, (91).
+double swing(const BubbleBody& body, const ShapeMode& mode, double time_s);
+
 // Distance from the centre in a unit direction at a time, (90), (91); the volume is kept to the second order in the
 // amplitudes.
 double radius_m(const BubbleBody& body, const std::vector<ShapeMode>& modes, const math::Vec3d& from_centre,

@@ -123,6 +123,15 @@ bool share_a_piece(const Cylinder&, const PlacedShape& a, const PlacedShape& b) 
   return std::abs(m.origin.y) - slant < 1 + std::abs(m.y.y) - tolerance;
 }
 
+// Copies only: lobes that make the same surface otherwise are not looked for.
+bool share_a_piece(const LobedSphere& lobed, const PlacedShape& a, const PlacedShape& b) {
+  const Affine m = seen_from(a, b);
+  const auto& other = std::get<LobedSphere>(b.shape);
+  return lobed.mean == other.mean && lobed.lobes == other.lobes && is_zero(math::length(m.origin)) &&
+         is_zero(math::length(m.x - Vec3d{1, 0, 0})) && is_zero(math::length(m.y - Vec3d{0, 1, 0})) &&
+         is_zero(math::length(m.z - Vec3d{0, 0, 1}));
+}
+
 bool coincide(const PlacedShape& a, const PlacedShape& b) {
   const auto is_flat = [](const PlacedShape& s) { return std::visit([](const auto& t) { return t.flat; }, s.shape); };
   if (a.shape.index() != b.shape.index() && !(is_flat(a) && is_flat(b))) return false;

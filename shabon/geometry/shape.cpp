@@ -47,12 +47,18 @@ Vec3d object_point(const PlacedShape& placed, Vec3d p) {
 SurfacePoint to_world(const PlacedShape& placed, const CanonicalPoint& at) {
   const Affine& map = placed.to_world;
   const Vec3d from_origin = apply_vector(map, at.position);
+  const bool by_direction = std::visit(
+      [](const auto& s) {
+        return requires { s.by_direction; };
+      },
+      placed.shape);
   return {.position = from_origin + map.origin,
           .normal = apply_normal(map, at.normal),
           .tangent_u = math::normalize(apply_vector(map, at.tangent_u)),
           .u = at.u,
           .v = at.v,
-          .from_centre = (from_origin - placed.box_centre) * placed.inverse_half_extent};
+          .from_centre = by_direction ? math::normalize(from_origin)
+                                      : (from_origin - placed.box_centre) * placed.inverse_half_extent};
 }
 
 CanonicalPoint canonical_point(const PlacedShape& placed, Vec3d p) {
@@ -63,13 +69,18 @@ double canonical_area(const PlacedShape& placed) {
   return std::visit([](const auto& s) { return area(s); }, placed.shape);
 }
 
+double inverse_density_at(const PlacedShape& placed, Vec3d p) {
+  return std::visit([&](const auto& s) { return inverse_density(s, p); }, placed.shape);
+}
+
 double area_factor(const PlacedShape& placed, Vec3d canonical_normal) {
   return math::length(apply_area_vector(placed.to_world, canonical_normal));
 }
 
-// The mean of the area factor over the canonical shape: along one parameter by `panels` panels of Gauss's rule, crowded
-// towards the ends, where long shapes bend most; around the other, which is periodic, by the trapezoid rule.
-double mean_area_factor(const PlacedShape& placed, int panels) {
+// The area, as the mean of the area factor over the canonical shape: along one parameter by `panels` panels of Gauss's
+// rule, crowded towards the ends, where long shapes bend most; around the other, which is periodic, by the trapezoid
+// rule.
+double sampled_area(const PlacedShape& placed, int panels) {
   constexpr double node = 0.77459666924148337704 / 2;  // sqrt(3/5)/2: three points, exact to the fifth degree
   constexpr double pi = std::numbers::pi;
   const int around = 8 * panels;
@@ -81,7 +92,7 @@ double mean_area_factor(const PlacedShape& placed, int panels) {
       for (int k = 0; k < around; ++k) {
         const double u2 = static_cast<double>(k) / around;
         const Vec3d p = std::visit([&](const auto& s) { return sample(s, u1, u2); }, placed.shape);
-        row += area_factor(placed, canonical_point(placed, p).normal);
+        row += area_factor(placed, canonical_point(placed, p).normal) * inverse_density_at(placed, p);
       }
       sum += weight * (pi / 2 * std::sin(pi * t)) * row;
     }
@@ -124,20 +135,19 @@ PlacedShape place(const Shape& shape, const Affine& map) {
 }
 
 double area(const PlacedShape& placed) {
-  const double canonical = canonical_area(placed);
-  if (placed.uniform_scale > 0) return canonical * placed.uniform_scale * placed.uniform_scale;
+  if (placed.uniform_scale > 0) return canonical_area(placed) * placed.uniform_scale * placed.uniform_scale;
   const bool flat = std::visit([](const auto& s) { return s.flat; }, placed.shape);
-  if (flat) return canonical * area_factor(placed, {0, 0, 1});
+  if (flat) return canonical_area(placed) * area_factor(placed, {0, 0, 1});
   constexpr double enough = 1e-11;
   constexpr int most_panels = 512;
-  double mean = mean_area_factor(placed, 1);
+  double area = sampled_area(placed, 1);
   for (int panels = 2; panels <= most_panels; panels *= 2) {
-    const double finer = mean_area_factor(placed, panels);
-    const bool settled = std::abs(finer - mean) <= enough * finer;
-    mean = finer;
+    const double finer = sampled_area(placed, panels);
+    const bool settled = std::abs(finer - area) <= enough * finer;
+    area = finer;
     if (settled) break;
   }
-  return canonical * mean;
+  return area;
 }
 
 std::optional<double> next_crossing(const PlacedShape& placed, Vec3d origin, Vec3d direction, bool starts_on_it) {
@@ -154,7 +164,7 @@ SurfacePoint surface_at(const PlacedShape& placed, Vec3d origin, Vec3d direction
 SampledPoint sample_area(const PlacedShape& placed, double u1, double u2) {
   const Vec3d p = std::visit([&](const auto& s) { return sample(s, u1, u2); }, placed.shape);
   const CanonicalPoint at = canonical_point(placed, p);
-  return {to_world(placed, at), 1 / (canonical_area(placed) * area_factor(placed, at.normal))};
+  return {to_world(placed, at), 1 / (inverse_density_at(placed, p) * area_factor(placed, at.normal))};
 }
 
 }  // namespace shabon::geometry

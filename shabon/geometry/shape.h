@@ -7,6 +7,7 @@
 #include "shabon/geometry/affine.h"
 #include "shabon/geometry/shapes/cylinder.h"
 #include "shabon/geometry/shapes/disk.h"
+#include "shabon/geometry/shapes/lobed_sphere.h"
 #include "shabon/geometry/shapes/quad.h"
 #include "shabon/geometry/shapes/sphere.h"
 #include "shabon/geometry/shapes/triangle.h"
@@ -14,7 +15,7 @@
 namespace shabon::geometry {
 
 // The list. A new shape is one file in shapes/ with the functions that shapes/canonical.h names.
-using Shape = std::variant<SphereCap, Quad, Disk, Cylinder, Triangle>;
+using Shape = std::variant<SphereCap, Quad, Disk, Cylinder, Triangle, LobedSphere>;
 
 struct Box {
   math::Vec3d low, high;
@@ -35,6 +36,15 @@ PlacedShape place(const Shape& shape, const Affine& to_world);
 
 inline Box bounds(const PlacedShape& placed) { return placed.box; }
 
+// The inverse of the density of a canonical shape's sample() at a point of it, per area.
+template <class AnyShape>
+double inverse_density(const AnyShape& shape, [[maybe_unused]] math::Vec3d p) {
+  if constexpr (requires { area_per_sample(shape, p); })
+    return area_per_sample(shape, p);
+  else
+    return area(shape);
+}
+
 // Exact where the shape is flat or the scale uniform; elsewhere by quadrature, to about ten digits.
 double area(const PlacedShape& placed);
 
@@ -45,7 +55,7 @@ struct SurfacePoint {
   double u = 0, v = 0;    // 0..1, v from the top
   // From the centre of the box in units of half its extent along the world's y, so that its y runs from -1 to 1 over
   // the shape. Units of a level flat shape are half its extent along its longest axis. On a whole unturned sphere this
-  // is the normal.
+  // is the normal. On a shape that goes by direction it is the unit direction from the shape's origin.
   math::Vec3d from_centre;
 };
 
@@ -62,8 +72,8 @@ struct SampledPoint {
   double pdf_area = 0;  // per unit of the world's area
 };
 
-// A random point of the shape from two numbers in [0, 1): uniform over the canonical shape. Over the placed one it is
-// uniform where the shape is flat or the scale uniform; pdf_area accounts for the rest.
+// A random point of the shape from two numbers in [0, 1): uniform over the canonical shape, if that says no other. Over
+// the placed one it is then uniform where the shape is flat or the scale uniform; pdf_area accounts for the rest.
 SampledPoint sample_area(const PlacedShape& placed, double u1, double u2);
 
 struct SampledDirection {

@@ -73,7 +73,7 @@ double pdf_by_area(const PlacedShape& placed, Vec3d from, Vec3d direction, doubl
         // The area that a steradian covers: distance^2 / cos, where the length of the area vector holds the area
         // factor.
         const Vec3d across_it = apply_area_vector(placed.to_world, point_at(s, p).normal);
-        const double projected = area(s) * std::abs(dot(across_it, direction));
+        const double projected = inverse_density(s, p) * std::abs(dot(across_it, direction));
         const double pdf = distance * distance / projected;
         return std::isfinite(pdf) ? pdf : 0;
       },

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "shabon/base/field.h"
 #include "shabon/film/popping.h"
+#include "shabon/film/shape_modes.h"
 #include "shabon/math/vec.h"
 #include "shabon/scene/film_desc.h"
 #include "shabon/scene/ranges.h"
@@ -26,6 +28,7 @@ struct BubbleDesc {
   math::Vec3d center{0, 0, 0};
   double radius = 1;
   FilmDesc film = {};
+  std::vector<film::ShapeMode> modes = {};
   std::optional<film::PoppingDesc> popping = {};
   BodyDesc body = {};
 };
@@ -64,6 +67,7 @@ constexpr auto fields(Of<BubbleDesc>) {
   return std::tuple{Field{"center", &BubbleDesc::center, {.range = coordinate_range, .doc = "its centre"}},
                     Field{"radius", &BubbleDesc::radius, {.range = radius_range, .doc = "its radius"}},
                     Field{"film", &BubbleDesc::film, {.required = true, .doc = "what it is made of"}},
+                    Field{"modes", &BubbleDesc::modes, {.doc = "how it trembles from time 0 on, (89)-(91)"}},
                     Field{"popping",
                           &BubbleDesc::popping,
                           {.doc = "it bursts: a hole opens, (92)-(94), until nothing is left; of a `flow` with "
@@ -71,6 +75,7 @@ constexpr auto fields(Of<BubbleDesc>) {
                     Field{"body", &BubbleDesc::body, {.doc = "the bubble in nature, for how fast it moves"}}};
 }
 
+void check(const film::ShapeMode& mode, const Path& path, Problems& problems);
 void check(const film::PoppingDesc& popping, const Path& path, Problems& problems);
 
 }  // namespace shabon::scene

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shabon/base/text.h"
 #include "shabon/scene/value.h"
 
 namespace shabon::scene {
@@ -10,6 +11,10 @@ namespace shabon::scene {
 namespace {
 
 constexpr double metres_per_nm = 1e-9;
+
+// The largest sum of amplitudes over the radius: beyond it small oscillations say nothing, and twice as much could turn
+// the bubble inside out.
+constexpr double largest_tremble = 0.5;
 
 // Of the layer that has a thickness of its own at each place.
 std::optional<double> mean_of_varied(const FilmDesc& desc, const Film& film, double time_s) {
@@ -56,6 +61,29 @@ std::optional<film::BubbleBody> body_of(const BubbleDesc& bubble, const Film& fi
                           .density_kg_m3 = bubble.body.density_kg_m3,
                           .inner_air_kg_m3 = bubble.body.inner_air_kg_m3,
                           .outer_air_kg_m3 = bubble.body.outer_air_kg_m3};
+}
+
+bool check_modes(const std::vector<film::ShapeMode>& modes, const film::BubbleBody& body, const Path& path,
+                 Problems& problems) {
+  const Path place{&path, "modes"};
+  if (problems.has(place)) return false;
+  double sum_m = 0;
+  for (const film::ShapeMode& mode : modes) sum_m += std::abs(mode.amplitude_m);
+  if (sum_m <= largest_tremble * body.radius_m) return true;
+  problems.add(place, "expected amplitudes that add up to at most half the radius of " + value_text(body.radius_m) +
+                          " m, got " + format_number(sum_m, 3) + " m: small oscillations end long before");
+  return false;
+}
+
+geometry::LobedSphere trembling(const std::vector<film::ShapeMode>& modes, const film::BubbleBody& body,
+                                double time_s) {
+  geometry::LobedSphere shape;
+  for (const film::ShapeMode& mode : modes) {
+    const double now = film::swing(body, mode, time_s);
+    shape.mean -= now * now / (2 * mode.degree + 1);
+    shape.lobes.push_back({mode.degree, now, math::normalize(mode.axis)});
+  }
+  return shape;
 }
 
 bool check_popping(const Film& film, const Path& path, Problems& problems) {

@@ -1,4 +1,4 @@
-// What a bubble's shape does at the scene's time: it bursts.
+// What a bubble's shape does at the scene's time: it trembles and bursts.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,13 @@ namespace shabon::scene {
 // bubble.
 std::optional<film::BubbleBody> body_of(const BubbleDesc& bubble, const Film& film, double metres_per_unit,
                                         double time_s, const Path& path, Problems& problems);
+
+// The shape at a time, for a radius of 1, (90).
+geometry::LobedSphere trembling(const std::vector<film::ShapeMode>& modes, const film::BubbleBody& body, double time_s);
+
+// Whether the amplitudes are those of a bubble that only trembles. `path` leads to the bubble.
+bool check_modes(const std::vector<film::ShapeMode>& modes, const film::BubbleBody& body, const Path& path,
+                 Problems& problems);
 
 // Opens the hole in the film: all of it within is gone.
 void open_hole(Film& film, const film::Hole& hole, const math::Vec3d& from_centre);

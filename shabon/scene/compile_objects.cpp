@@ -51,6 +51,8 @@ std::array<double, 14> identity_of(const geometry::PlacedShape& placed) {
   double parameter = 0;
   if (const auto* cap = std::get_if<geometry::SphereCap>(&placed.shape)) parameter = cap->cos_cap;
   if (const auto* disk = std::get_if<geometry::Disk>(&placed.shape)) parameter = disk->hole;
+  if (const auto* lobed = std::get_if<geometry::LobedSphere>(&placed.shape))
+    parameter = geometry::radius_at(*lobed, {0.48, 0.6, 0.64});  // in any direction
   const auto& [x, y, z, o] = placed.to_world;
   return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, o.x, o.y, o.z, parameter, double(placed.shape.index())};
 }
@@ -162,12 +164,23 @@ void ObjectsCompiler::add_one(const BubbleDesc& bubble, const Path& path, int in
   if (!film || problems_.has(Path{&path, "center"}) || problems_.has(Path{&path, "radius"})) return;
   set_by_direction(*film);
   if (!move(bubble, *film, path)) return;
+  if (!bubble.modes.empty()) return add_trembling(bubble, *std::move(film), path, index);
   // -0 + 0 = 0: the two zeros are one place.
   const std::array<double, 4> key = {bubble.center.x + 0.0, bubble.center.y + 0.0, bubble.center.z + 0.0,
                                      bubble.radius};
   const auto [entry, added] = bubble_at_.try_emplace(key, bubbles_.size());
   if (added) bubbles_.push_back({{bubble.center, bubble.radius, 0, 0}, index, {}});
   bubbles_[entry->second].films.push_back(*std::move(film));
+}
+
+void ObjectsCompiler::add_trembling(const BubbleDesc& bubble, Film film, const Path& path, int index) {
+  const auto body = body_of(bubble, film, scene_.metres_per_unit, 0, path, problems_);
+  if (!body || !check_modes(bubble.modes, *body, path, problems_)) return;
+  const double r = bubble.radius;
+  const geometry::Affine place = geometry::placement(bubble.center, {0, 0, 0}, {r, r, r});
+  scene_.surfaces.push_back(FreeFilmSurface{surfaces_.add_film(std::move(film)), 1});
+  scene_.objects.push_back({geometry::place(trembling(bubble.modes, *body, scene_.time_s), place),
+                            static_cast<int>(scene_.surfaces.size()) - 1, index});
 }
 
 template <class ShapeDesc>

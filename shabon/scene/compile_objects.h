@@ -42,6 +42,7 @@ class ObjectsCompiler {
   void add_one(const BubbleDesc& bubble, const Path& path, int index);
   template <class ShapeDesc>
   void add_one(const ShapeDesc& shape, const Path& path, int index);
+  void add_trembling(const BubbleDesc& bubble, Film film, const Path& path, int index);
   bool move(const BubbleDesc& bubble, Film& film, const Path& path);
   void keep(Bubble& bubble);
 

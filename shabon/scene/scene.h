@@ -37,8 +37,8 @@ struct Film {
   std::vector<optics::Layer> layers;
   std::size_t varied_layer = 0;                        // index into layers
   film::ThicknessField thickness;                      // of that layer, in place of the one written there
-  std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on Scene::spheres
-  std::shared_ptr<const film::FlowDesc> flow = {};     // RunningFilms sets `thickness`; on Scene::spheres only
+  std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on bubbles
+  std::shared_ptr<const film::FlowDesc> flow = {};     // RunningFilms sets `thickness`; on bubbles only
   std::optional<Bursting> bursting = {};               // beside `flow`
 };
 
@@ -51,7 +51,7 @@ struct Sphere {
   int film_count = 1;
 };
 
-// Anything that is not a bubble.
+// Anything that is not a round bubble.
 struct Object {
   geometry::PlacedShape shape;
   int surface = 0;        // Scene::surfaces

@@ -20,6 +20,11 @@ void check_file_name(const std::string& file, const Path& path, Problems& proble
   if (!problems.has(place) && file.empty()) problems.add(place, "expected a file name, got an empty text");
 }
 
+void check_direction(const math::Vec3d& direction, const Path& place, Problems& problems) {
+  if (!problems.has(place) && length_of(direction) < shortest_vector)
+    problems.add(place, "expected a direction, got " + value_text(direction));
+}
+
 // Files are not read here; a film that names one is checked again when it is compiled.
 template <class FilmDescription>
 void check_film(const FilmDescription& film, const Path& path, Problems& problems) {
@@ -49,15 +54,14 @@ void check(const LampDesc& lamp, const Path& path, Problems& problems) {
 
 void check(const SoftboxDesc& softbox, const Path& path, Problems& problems) {
   check(static_cast<const LampDesc&>(softbox), path, problems);
-  const Path direction{&path, "direction"};
-  if (!problems.has(direction) && length_of(softbox.direction) < shortest_vector)
-    problems.add(direction, "expected a direction, got " + value_text(softbox.direction));
+  check_direction(softbox.direction, Path{&path, "direction"}, problems);
 }
 
+void check(const film::ShapeMode& mode, const Path& path, Problems& problems) {
+  check_direction(mode.axis, Path{&path, "axis"}, problems);
+}
 void check(const film::PoppingDesc& popping, const Path& path, Problems& problems) {
-  const Path place{&path, "from_centre"};
-  if (!problems.has(place) && length_of(popping.from_centre) < shortest_vector)
-    problems.add(place, "expected a direction, got " + value_text(popping.from_centre));
+  check_direction(popping.from_centre, Path{&path, "from_centre"}, problems);
 }
 
 void check(const ImageEnvironmentDesc& environment, const Path& path, Problems& problems) {

@@ -6,6 +6,8 @@
 //                 direction, which may have any length; for a ray that starts on the shape the other crossing
 //   point_at      the point of the shape at `p`, which is on it but for rounding
 //   sample        a point that is uniform over the area, from two numbers in [0, 1]
+// A shape whose sample() is not uniform has a sixth, area_per_sample: the inverse of the density of sample() at a point
+// of it, per area. One that is `by_direction` gives places by their direction from its origin, not within its box.
 #pragma once
 
 #include <algorithm>

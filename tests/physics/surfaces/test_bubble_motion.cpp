@@ -105,5 +105,60 @@ TEST(Popping, leaves_polarised_light_alone) {
   }
 }
 
+const std::string lobes =
+    ", modes: [{amplitude_m: 0.006, axis: [0, 1, 0.3]}, {degree: 3, amplitude_m: 0.003, axis: [1, 0, 0]}, {degree: 5, "
+    "amplitude_m: 0.001, axis: [0, 0.2, 1]}]";
+
+std::string bubble_of(const std::string& film, const std::string& more = "") {
+  return "  - bubble: {film: {" + film + "}" + more + "}\n";
+}
+
+// Of the index around it, and of no thickness: nothing is there, nor does light go astray in the lobes.
+TEST(Trembling, of_no_film_is_not_seen) {
+  const scene::Scene empty = scene_of("  []\n");
+  for (const std::string film :
+       {"medium: air, thickness: {constant_nm: 500}", "medium: water, thickness: {constant_nm: 0}"}) {
+    const scene::Scene scene = scene_of(bubble_of(film, lobes + ", body: {thickness_nm: 500}"));
+    ASSERT_EQ(scene.objects.size(), 1u);
+    EXPECT_LT(difference(scene, empty), 1e-5) << film;
+  }
+}
+
+// In a furnace what the walls reflect into a ray is what they reflect out of it, however the surface is bent.
+TEST(Trembling, is_not_seen_in_the_same_light_from_everywhere) {
+  for (const std::string& model : {models[0], models[2]}) {
+    scene::Scene scene = scene_of(bubble_of("medium: water, thickness: {linear: {top_nm: 200, bottom_nm: 900}}", lobes),
+                                  model, 0, "constant: {}");
+    scene.render.samples = 64;
+    const render::Sensor sensor = picture_of(scene);
+    double worst = 0, mean = 0;
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        worst = std::max(worst, std::abs(sensor.mean(x, y).y - 1)), mean += sensor.mean(x, y).y / (side * side);
+    EXPECT_LT(worst, 0.02) << model;
+    EXPECT_NEAR(mean, 1, 1e-4) << model;
+  }
+}
+
+// Without amplitude it is the round bubble, which another kernel renders; with some it is not.
+TEST(Trembling, without_amplitude_is_round) {
+  for (const std::string film : {"medium: water, thickness: {linear: {top_nm: 200, bottom_nm: 900}}",
+                                 "medium: water, thickness: {noise: {base: {constant_nm: 500}, swirl: 0.3}}"}) {
+    scene::Scene round = scene_of(bubble_of(film)), still = scene_of(bubble_of(film, ", modes: [{amplitude_m: 0}]")),
+                 slight = scene_of(bubble_of(film, ", modes: [{amplitude_m: 0.00003}]")),
+                 lobed = scene_of(bubble_of(film, lobes));
+    for (scene::Scene* scene : {&round, &still, &slight, &lobed}) scene->render.samples = 64;
+    EXPECT_LT(difference(round, still), 5e-3) << film;
+    EXPECT_LT(difference(round, slight), 0.05) << film;
+    EXPECT_GT(difference(round, lobed), 0.03) << film;
+    const Vec3d eye{0, 0, 6}, towards{0.3, 0.5, 0};
+    const auto a = seen(round, eye, towards), b = seen(still, eye, towards), c = seen(slight, eye, towards);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(b[i], a[i], 1e-3 * a[i]) << film;
+      EXPECT_NEAR(c[i], a[i], 0.02 * a[i]) << film;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shabon

@@ -6,6 +6,7 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "random_rays.h"
@@ -19,7 +20,8 @@ using Vec3r = math::Vec3<Real>;
 
 inline Vec3r real(Vec3d v) { return {v.x, v.y, v.z}; }
 
-// examples(): one of each kind. carrier(): zero on the endless surface, rising along the normal, of the second degree.
+// examples(): one of each kind. carrier(): zero on the endless surface, rising along the normal; of the second degree
+// except where `any_degree` stands.
 // edge(): not negative where the shape exists. parametrized(): the shape, from the unit square. uv(): of a point of it.
 template <class T>
 struct Known;
@@ -27,7 +29,7 @@ struct Known;
 template <>
 struct Known<SphereCap> {
   static std::vector<SphereCap> examples() { return {{-1}, {-0.6}, {0}, {0.9}}; }
-  static Real carrier(Vec3r p) { return dot(p, p) - 1; }
+  static Real carrier(const SphereCap&, Vec3r p) { return dot(p, p) - 1; }
   static Real edge(const SphereCap& s, Vec3r p) { return s.cos_cap == -1 ? 1 : p.y - s.cos_cap; }
   static Vec3d parametrized(const SphereCap& s, double a, double b) {
     const double theta = a * std::acos(s.cos_cap), phi = 2 * std::numbers::pi * b;
@@ -41,7 +43,7 @@ struct Known<SphereCap> {
 template <>
 struct Known<Quad> {
   static std::vector<Quad> examples() { return {{}}; }
-  static Real carrier(Vec3r p) { return p.z; }
+  static Real carrier(const Quad&, Vec3r p) { return p.z; }
   static Real edge(const Quad&, Vec3r p) { return std::min(1 - std::abs(p.x), 1 - std::abs(p.y)); }
   static Vec3d parametrized(const Quad&, double a, double b) { return {2 * a - 1, 2 * b - 1, 0}; }
   static Vec3d uv(Vec3d p) { return {(p.x + 1) / 2, (1 - p.y) / 2, 0}; }
@@ -50,7 +52,7 @@ struct Known<Quad> {
 template <>
 struct Known<Disk> {
   static std::vector<Disk> examples() { return {{0}, {0.4}, {0.95}}; }
-  static Real carrier(Vec3r p) { return p.z; }
+  static Real carrier(const Disk&, Vec3r p) { return p.z; }
   static Real edge(const Disk& s, Vec3r p) {
     const Real r = std::sqrt(p.x * p.x + p.y * p.y);
     return std::min(1 - r, s.hole == 0 ? 1 : r - s.hole);
@@ -65,7 +67,7 @@ struct Known<Disk> {
 template <>
 struct Known<Cylinder> {
   static std::vector<Cylinder> examples() { return {{}}; }
-  static Real carrier(Vec3r p) { return p.x * p.x + p.z * p.z - 1; }
+  static Real carrier(const Cylinder&, Vec3r p) { return p.x * p.x + p.z * p.z - 1; }
   static Real edge(const Cylinder&, Vec3r p) { return 1 - std::abs(p.y); }
   static Vec3d parametrized(const Cylinder&, double a, double b) {
     const double phi = 2 * std::numbers::pi * b;
@@ -77,10 +79,38 @@ struct Known<Cylinder> {
 template <>
 struct Known<Triangle> {
   static std::vector<Triangle> examples() { return {{}}; }
-  static Real carrier(Vec3r p) { return p.z; }
+  static Real carrier(const Triangle&, Vec3r p) { return p.z; }
   static Real edge(const Triangle&, Vec3r p) { return std::min({p.x, p.y, 1 - p.x - p.y}); }
   static Vec3d parametrized(const Triangle&, double a, double b) { return {a, b * (1 - a), 0}; }
   static Vec3d uv(Vec3d p) { return {p.x, 1 - p.y, 0}; }
+};
+
+template <>
+struct Known<LobedSphere> {
+  static constexpr bool any_degree = true;
+  static std::vector<LobedSphere> examples() {
+    const Vec3d slant = math::normalize(Vec3d{1, 2, -3}), other = math::normalize(Vec3d{-2, 0.3, 1});
+    return {{0.98, {{2, 0.25, {0, 1, 0}}}},                                     // a gherkin
+            {1.01, {{2, -0.35, slant}, {3, 0.1, other}}},                       // with a waist
+            {1, {{5, 0.15, slant}, {4, -0.1, {1, 0, 0}}, {12, 0.02, other}}}};  // knobbly
+  }
+  static Real legendre(int degree, Real x) {
+    Real before = 1, now = x;
+    for (int n = 1; n < degree; ++n) before = std::exchange(now, ((2 * n + 1) * x * now - n * before) / (n + 1));
+    return now;
+  }
+  static Real carrier(const LobedSphere& s, Vec3r p) {
+    const Real q = std::sqrt(dot(p, p));
+    Real height = q - s.mean;
+    for (const Lobe& lobe : s.lobes) height -= lobe.amplitude * legendre(lobe.degree, dot(p, real(lobe.axis)) / q);
+    return height;
+  }
+  static Real edge(const LobedSphere&, Vec3r) { return 1; }
+  static Vec3d parametrized(const LobedSphere& s, double a, double b) {
+    const Vec3d n = Known<SphereCap>::parametrized({}, a, b);
+    return n * static_cast<double>(-carrier(s, real(n)) + 1);
+  }
+  static Vec3d uv(Vec3d p) { return Known<SphereCap>::uv(math::normalize(p)); }
 };
 
 template <class List>

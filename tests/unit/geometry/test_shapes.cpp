@@ -8,16 +8,17 @@
 namespace shabon::geometry {
 namespace {
 
-// The carrier along a ray is a polynomial of at most the second degree: here from three of its values.
+// Most carriers are, along a ray, polynomials of at most the second degree: here from three of their values.
 struct Along {
   Real a, b, c;
 };
 
 template <class T>
-Along carrier_along(const PlacedShape& placed, Vec3d origin, Vec3d direction) {
+Along carrier_along(const T& shape, const PlacedShape& placed, Vec3d origin, Vec3d direction) {
   const Vec3r o = solve(placed.to_world, real(origin)),
               d = solve({placed.to_world.x, placed.to_world.y, placed.to_world.z, {}}, real(direction));
-  const Real c = Known<T>::carrier(o), plus = Known<T>::carrier(o + d), minus = Known<T>::carrier(o - d);
+  const Real c = Known<T>::carrier(shape, o), plus = Known<T>::carrier(shape, o + d),
+             minus = Known<T>::carrier(shape, o - d);
   return {T::flat ? 0 : (plus + minus) / 2 - c, (plus - minus) / 2, c};
 }
 
@@ -27,9 +28,10 @@ struct Expected {
 };
 
 template <class T>
-Expected expected_crossing(const T& shape, const PlacedShape& placed, Vec3d origin, Vec3d direction, bool starts) {
+requires(!requires { Known<T>::any_degree; }) Expected
+    expected_crossing(const T& shape, const PlacedShape& placed, Vec3d origin, Vec3d direction, bool starts) {
   constexpr Real close = 1e-9L;
-  const Along f = carrier_along<T>(placed, origin, direction);
+  const Along f = carrier_along(shape, placed, origin, direction);
   std::vector<Real> roots;
   Expected result;
   if (T::flat) {
@@ -46,6 +48,37 @@ Expected expected_crossing(const T& shape, const PlacedShape& placed, Vec3d orig
     const Real edge = Known<T>::edge(shape, at);
     if (std::abs(edge) < close || std::abs(root) < close) result.doubtful = true;
     if (root > 0 && edge >= 0 && !result.distance) result.distance = root;
+  }
+  return result;
+}
+
+// Where the carrier is of any degree: its sign at many places along the ray, then halves.
+template <class T>
+requires Known<T>::any_degree Expected expected_crossing(const T& shape, const PlacedShape& placed, Vec3d origin,
+                                                         Vec3d direction, bool starts) {
+  constexpr int steps = 2000;
+  const Vec3r o = solve(placed.to_world, real(origin)),
+              d = solve({placed.to_world.x, placed.to_world.y, placed.to_world.z, {}}, real(direction));
+  const auto height = [&](Real t) { return Known<T>::carrier(shape, o + d * t); };
+  const Real first = starts ? 2e-6L / std::sqrt(dot(d, d)) : 0, middle = -dot(o, d) / dot(d, d),
+             half = 2 / std::sqrt(dot(d, d));
+  Expected result;
+  Real before = std::max(first, middle - half), at_before = height(before), at_last = at_before;
+  result.doubtful = !starts && std::abs(at_before) < 1e-9L;
+  for (int k = 1; k <= steps && !result.distance; ++k) {
+    const Real now = middle - half + 2 * half * k / steps;
+    if (now <= before) continue;
+    const Real at_now = height(now);
+    if ((at_now > 0) != (at_before > 0)) {
+      Real low = before, high = now;
+      for (int i = 0; i < 70; ++i) ((height((low + high) / 2) > 0) == (at_before > 0) ? low : high) = (low + high) / 2;
+      result.distance = high;
+      const Real slope = (height(high + 1e-6L) - height(high - 1e-6L)) / 2e-6L;
+      if (std::abs(slope) < 1e-5L * std::sqrt(dot(d, d))) result.doubtful = true;
+    } else if (std::abs(at_before) < std::min({1e-5L, std::abs(at_last), std::abs(at_now)})) {
+      result.doubtful = true;  // it may touch between two places
+    }
+    at_last = at_before, before = now, at_before = at_now;
   }
   return result;
 }
@@ -115,7 +148,7 @@ TYPED_TEST(EachShape, SurfaceAtACrossing) {
       if (!distance) continue;
       const SurfacePoint at = surface_at(placed, origin, direction, *distance);
       const Vec3r p = solve(placed.to_world, real(at.position));
-      ASSERT_NEAR(Known<TypeParam>::carrier(p), 0, 1e-13);
+      ASSERT_NEAR(Known<TypeParam>::carrier(shape, p), 0, 1e-13);
       ASSERT_GE(Known<TypeParam>::edge(shape, p), -1e-10);
       ASSERT_NEAR(math::length(at.position - origin - direction * *distance), 0, 1e-11 * (size + *distance));
       const Vec3d uv =
@@ -128,11 +161,11 @@ TYPED_TEST(EachShape, SurfaceAtACrossing) {
 
 // The normal is the gradient of the equation; along the tangent u rises and v does not change.
 TYPED_TEST(EachShape, NormalsAndTangentsByFiniteDifferences) {
-  for_each_placed<TypeParam>(4, 3, [&](const TypeParam&, const PlacedShape& placed, Pcg32& random) {
+  for_each_placed<TypeParam>(4, 3, [&](const TypeParam& shape, const PlacedShape& placed, Pcg32& random) {
     const double h = 1e-6 * size_of(placed);
     for (int k = 0; k < 100; ++k) {
       const SurfacePoint at = sample_area(placed, random.uniform(0.05, 0.95), random.uniform(0.05, 0.95)).at;
-      const auto value = [&](Vec3d p) { return Known<TypeParam>::carrier(solve(placed.to_world, real(p))); };
+      const auto value = [&](Vec3d p) { return Known<TypeParam>::carrier(shape, solve(placed.to_world, real(p))); };
       const auto slope = [&](Vec3d e) {
         return static_cast<double>(value(at.position + e * h) - value(at.position - e * h));
       };
@@ -180,7 +213,9 @@ TYPED_TEST(EachShape, TheBoxIsTightAndHeightRunsOverIt) {
       ASSERT_GE(at.position.z, box.low.z - ulp);
       ASSERT_LE(at.position.z, box.high.z + ulp);
       ASSERT_LE(std::abs(at.from_centre.y), 1 + 1e-12);
-      const Vec3d expected = (at.position - (box.low + box.high) * 0.5) * (2 / (box.high.y - box.low.y));
+      Vec3d expected = (at.position - (box.low + box.high) * 0.5) * (2 / (box.high.y - box.low.y));
+      if constexpr (requires { TypeParam::by_direction; })
+        expected = math::normalize(at.position - placed.to_world.origin);
       ASSERT_NEAR(math::length(at.from_centre - expected), 0, 1e-10 * math::length(expected) + 1e-10);
     }
   });
@@ -241,6 +276,72 @@ TEST(Sphere, WholeRoundOnesAreTheBubblesOwn) {
     const SurfacePoint at = sample_area(placed, random.uniform(), random.uniform()).at;
     ASSERT_NEAR(math::length(at.from_centre - at.normal), 0, 1e-15);
     ASSERT_NEAR(math::length(at.position - sphere.center - at.normal * r), 0, 1e-14);
+  }
+}
+
+// Without lobes, and with ones too small to count, it is the sphere.
+TEST(LobedSphere, IsASphereWithoutLobes) {
+  Pcg32 random(31);
+  for (const double amplitude : {0.0, 1e-15, 1e-9}) {
+    const LobedSphere lobed{1, {{2, amplitude, {0, 0.6, 0.8}}, {7, amplitude, {1, 0, 0}}}};
+    const double most = 1e-13 + 30 * amplitude;
+    const Affine map = placement({1, 2, 3}, {10, 20, 30}, {2, 2, 2});
+    const PlacedShape sphere = place(SphereCap{}, map), placed = place(lobed, map);
+    EXPECT_NEAR(area(placed), area(sphere), most * area(sphere));
+    int grazing = 0;
+    for (int k = 0; k < 3000; ++k) {
+      const Vec3d from = map.origin + random_direction(random) * random.uniform(0, 9);
+      const Vec3d direction = math::normalize(map.origin + random_point(random, 2) - from);
+      const double impact = math::length(cross(from - map.origin, direction)) / 2;
+      if (std::abs(impact - 1) < 1e-3 && ++grazing > 0) continue;
+      const auto found = next_crossing(placed, from, direction, false),
+                 expected = next_crossing(sphere, from, direction, false);
+      ASSERT_EQ(found.has_value(), expected.has_value());
+      if (!found) continue;
+      ASSERT_NEAR(*found, *expected, 200 * most);
+      const SurfacePoint at = surface_at(placed, from, direction, *found),
+                         on = surface_at(sphere, from, direction, *found);
+      ASSERT_NEAR(math::length(at.position - on.position), 0, 10 * most);
+      ASSERT_NEAR(math::length(at.normal - on.normal), 0, 10 * most);
+      const auto next = next_crossing(placed, at.position, direction, true),
+                 chord = next_crossing(sphere, on.position, direction, true);
+      ASSERT_EQ(next.has_value(), chord.has_value());
+      if (next) {
+        ASSERT_NEAR(*next, *chord, 200 * most);
+      }
+    }
+    EXPECT_LT(grazing, 100);
+  }
+}
+
+// However shallow a ray sets out inwards, it meets the far wall: on a convex surface where the osculating circle says.
+TEST(LobedSphere, IsLeftByEveryRayWithin) {
+  Pcg32 random(32);
+  for (const LobedSphere& lobed : Known<LobedSphere>::examples()) {
+    const PlacedShape placed = place(lobed, placement({5, -3, 2}, {}, {0.1, 0.1, 0.1}));
+    for (int k = 0; k < 20000; ++k) {
+      const SurfacePoint at = sample_area(placed, random.uniform(), random.uniform()).at;
+      const double inwards = std::pow(10.0, random.uniform(-11, 0));
+      const Vec3d along = math::normalize(cross(at.normal, random_direction(random)));
+      const Vec3d direction = math::normalize(along - at.normal * inwards);
+      const auto found = next_crossing(placed, at.position, direction, true);
+      if (inwards > 1e-6) {
+        ASSERT_TRUE(found) << inwards;
+      }
+      if (!found) continue;  // the surface bends away outwards, or rounding decides
+      const SurfacePoint wall = surface_at(placed, at.position, direction, *found);
+      ASSERT_LT(math::length(wall.position - at.position - direction * *found), 1e-14);
+      // From the wall outwards it is not met again but where it is hollow.
+      Vec3d origin = wall.position;
+      int crossings = 1;
+      while (const auto more = next_crossing(placed, origin, direction, true)) {
+        origin = surface_at(placed, origin, direction, *more).position;
+        ASSERT_LT(++crossings, 20);
+      }
+      if (inwards > 1e-6) {
+        ASSERT_EQ(crossings % 2, 1) << inwards;
+      }
+    }
   }
 }
 

@@ -97,6 +97,63 @@ TEST(Popping, leaves_pictures_where_they_are) {
   EXPECT_NEAR(nm_at(scene, 1.43), 600, 1e-3);
 }
 
+// 5 cm, 1 um: the mode of degree 2 trembles at 6.3 Hz.
+double radius_of(const Scene& scene, Vec3d n) {
+  const geometry::PlacedShape& placed = scene.objects.at(0).shape;
+  const auto far = geometry::next_crossing(placed, placed.to_world.origin, n, false);
+  return far.value_or(0);
+}
+
+const std::string lobes = ", modes: [{degree: 2, amplitude_m: 0.002, axis: [0, 2, 0], quality: 5}]";
+
+TEST(Trembling, is_the_shape_of_its_modes) {
+  const std::string bubble = plain + ", center: [1, 2, 3], radius: 1.5, body: {radius_m: 0.05}" +
+                             ", modes: [{degree: 2, amplitude_m: 0.004, axis: [0, 0.5, 0]}, {degree: 3, amplitude_m: "
+                             "0.003, axis: [1, 1, 0], phase_deg: 40}]";
+  film::BubbleBody body;
+  body.radius_m = 0.05, body.thickness_m = 1e-6;
+  const std::vector<film::ShapeMode> modes = {{2, 0.004, {0, 1, 0}, 0, 10},
+                                              {3, 0.003, math::normalize(Vec3d{1, 1, 0}), 40, 10}};
+  for (const double time_s : {0.0, 0.02, 0.3}) {
+    const Scene scene = loaded(bubble, time_s);
+    ASSERT_EQ(scene.spheres.size(), 0u);
+    ASSERT_TRUE(std::holds_alternative<FreeFilmSurface>(scene.surfaces.at(0)));
+    for (const Vec3d n : {Vec3d{0, 1, 0}, {1, 0, 0}, {0.6, 0, -0.8}, {-0.48, 0.6, 0.64}})
+      EXPECT_NEAR(radius_of(scene, n), 1.5 * film::radius_m(body, modes, n, time_s) / 0.05, 1e-12) << time_s;
+  }
+}
+
+// After half a period of the damped mode the lobes are where the waist was, smaller by its damping.
+TEST(Trembling, swings_to_the_other_side_in_half_a_period) {
+  film::BubbleBody body;
+  body.radius_m = 0.05, body.thickness_m = 1e-6;
+  const double frequency = film::shape_frequency_rad_s(body, 2), damping = frequency / 10;
+  const double half_s = std::numbers::pi / std::sqrt(frequency * frequency - damping * damping);
+  const auto lobe = [&](double time_s) {
+    return std::get<geometry::LobedSphere>(loaded(plain + lobes, time_s).objects.at(0).shape.shape).lobes.at(0);
+  };
+  const double start = lobe(0).amplitude;
+  EXPECT_NEAR(start, 0.04, 1e-15);
+  EXPECT_EQ(lobe(0).axis, (Vec3d{0, 1, 0}));
+  EXPECT_NEAR(lobe(half_s).amplitude / start, -std::exp(-damping * half_s), 1e-5);
+  EXPECT_NEAR(lobe(2 * half_s).amplitude / start, std::exp(-2 * damping * half_s), 1e-5);
+  EXPECT_NEAR(lobe(half_s / 2).amplitude, 0, 1e-6);
+}
+
+TEST(Trembling, bubbles_burst_too) {
+  const std::string bubble = plain + lobes + ", popping: {start_s: 0.5}";
+  EXPECT_EQ(nm_at(loaded(bubble, 0.501), 0), 0);
+  EXPECT_EQ(nm_at(loaded(bubble, 0.501), 3), 1000);
+  EXPECT_TRUE(loaded(bubble, 0.6).objects.empty());
+}
+
+TEST(Trembling, lays_pictures_by_direction) {
+  const Scene scene =
+      loaded("film: {medium: water, thickness: {map: {file: x.exr}}}, body: {thickness_nm: 1000}" + lobes, 0);
+  EXPECT_FALSE(scene.films.at(0).thickness_map_nm);
+  EXPECT_NEAR(nm_at(scene, 1), 600, 1e-3);
+}
+
 // A film so thin that it breaks in its first step.
 const std::string breaking =
     "film: {medium: water, thickness: {flow: {level: 2, radius_m: 0.03, mean_thickness_nm: 300, rupture: {from_nm: "
