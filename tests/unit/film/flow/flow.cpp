@@ -118,7 +118,7 @@ TEST(FilmFlow, StopsWithItsLastGoodStateAndSaysWhatToChange) {
   FilmFlow flow = started(desc);
   const Status stopped = flow.advance_to(10);
   ASSERT_FALSE(stopped.ok());
-  EXPECT_NE(to_text(stopped.errors()).find("slow the air down"), std::string::npos) << to_text(stopped.errors());
+  EXPECT_NE(to_text(stopped.errors()).find("slow down what drives it"), std::string::npos) << to_text(stopped.errors());
   EXPECT_LT(flow.time_s(), 10);
   for (const double h : flow.thickness_m()) EXPECT_TRUE(h > 0 && h < 1e-5);
 
