@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "json.h"
 #include "shabon/film/sphere_map.h"
@@ -13,21 +12,6 @@
 namespace shabon::app {
 
 namespace {
-
-// As film::LatitudeMap lays a picture around a sphere, (25).
-std::vector<math::Vec3d> lat_long_directions(int width) {
-  const int height = width / 2;
-  std::vector<math::Vec3d> directions;
-  directions.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column) {
-      const double azimuth = 2 * std::numbers::pi * ((column + 0.5) / width - 0.5);
-      const double polar = std::numbers::pi * (row + 0.5) / height;
-      directions.push_back(
-          {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)});
-    }
-  return directions;
-}
 
 using Files = Result<std::vector<FrameFile>>;
 
@@ -111,7 +95,7 @@ constexpr FrameKind kinds[] = {
 
 FrameMaps::FrameMaps(const film::FilmFlow& flow, const MapSizes& sizes)
     : sizes_(sizes),
-      lat_long_(flow, lat_long_directions(sizes.lat_long_width)),
+      lat_long_(flow, film::latitude_longitude_directions(sizes.lat_long_width, sizes.lat_long_width / 2)),
       cube_(flow, film::node_directions(sizes.cube_edge)) {}
 
 std::vector<float> FrameMaps::baked(const film::FlowBake& bake, const film::FilmFlow& flow) {

@@ -6,6 +6,7 @@
 
 #include "shabon/base/parallel.h"
 #include "shabon/math/normal_to.h"
+#include "shabon/render/idle_films.h"
 #include "shabon/render/kernel/probe_tree.h"
 #include "shabon/render/kernel/scattering/probe_walks.h"
 
@@ -127,8 +128,7 @@ Result<ProbeResult> probe(const scene::Scene& scene, const ProbeRay& ray, std::s
   for (const double nm : wavelengths_nm)
     if (!(nm >= optics::rendered_range_nm.first_nm && nm <= optics::rendered_range_nm.last_nm))
       return fail(Failure::usage, "expected wavelengths from 360 to 830 nm");
-  if (scene::has_idle_film(scene))
-    return fail(Failure::internal, "a simulated film of the scene has not run: expected scene::run_films() before");
+  if (const Status ran = check_films_ran(scene); !ran) return ran.errors();
   const ProbeStart start = start_of(scene, ray);
   if (!scene.objects.empty()) return probe_walks(scene, walk_start_of(start), wavelengths_nm, options);
   return Probe(scene, start, wavelengths_nm).trace();

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "shabon/base/parallel.h"
+#include "shabon/render/idle_films.h"
 #include "shabon/render/kernel/scattering/tile.h"
 #include "shabon/render/kernel/transport.h"
 
@@ -131,8 +132,7 @@ bool only_bubbles(const scene::Scene& scene) {
 Result<RenderReport> render(const scene::Scene& scene, const RenderOptions& options, Sensor& sensor) {
   if (sensor.width() != scene.width || sensor.height() != scene.height)
     return fail(Failure::internal, "expected a sensor of the scene's size");
-  if (scene::has_idle_film(scene))
-    return fail(Failure::internal, "a simulated film of the scene has not run: expected scene::run_films() before");
+  if (const Status ran = check_films_ran(scene); !ran) return ran.errors();
   const auto start = Clock::now();
   RenderReport report = only_bubbles(scene)
                             ? render_with<TileTransport>(SceneTables(scene, options.grey_reflectance), options, sensor)

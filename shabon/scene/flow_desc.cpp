@@ -7,8 +7,7 @@ namespace shabon::scene {
 void begin(const io::YamlNode& mapping, FlowThicknessDesc& flow) {
   for (const auto& [name, value] : mapping.entries) {
     if (name.text != "preset" || value.kind != io::YamlNode::Kind::scalar) continue;
-    for (const film::FlowPreset& preset : film::flow_presets())
-      if (same_name(preset.name, value.text)) static_cast<film::FlowDesc&>(flow) = preset.desc;
+    if (const auto* preset = film::flow_preset(value.text)) static_cast<film::FlowDesc&>(flow) = preset->desc;
   }
 }
 

@@ -16,8 +16,6 @@ class RunningFilms {
   // All simulated films of the scene, at their time 0. Errors as FilmFlow::start().
   static Result<RunningFilms> start(const Scene& scene);
 
-  bool empty() const { return films_.empty(); }
-
   // Runs every film on to that time; earlier times change nothing. `progress` is told the share of that time that is
   // done. Errors as FilmFlow::advance_to().
   Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});

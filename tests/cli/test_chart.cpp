@@ -1,4 +1,4 @@
-// chart: what it draws, the numbers beside the drawing, and what it refuses.
+// chart: what it draws, and the numbers beside the drawing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "../well_formed_xml.h"
-#include "child.h"
+#include "chart_calls.h"
 #include "printed.h"
 #include "shabon/api/resolvers.h"
 #include "shabon/base/text.h"
@@ -19,36 +19,6 @@
 
 namespace shabon::test {
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-// As the help lists them.
-std::vector<std::string> kinds() {
-  const std::string help = run({"chart", "--help"}).out, head = "What to draw: ";
-  const std::size_t begin = help.find(head) + head.size();
-  std::vector<std::string> names;
-  for (const std::string_view name : split(std::string_view(help).substr(begin, help.find('\n', begin) - begin), ','))
-    names.emplace_back(trim(name));
-  return names;
-}
-
-// Small enough to be quick.
-Arguments quick(const std::string& kind) {
-  if (kind == "newton") return {"chart", kind, "--thickness", "0:400nm:10nm", "--width", "600"};
-  if (kind == "angle") return {"chart", kind, "--thickness", "0:400nm:40nm", "--angle", "0:80:20", "--width", "600"};
-  return {"chart", kind, "--retardation", "0:1800nm:10nm", "--width", "600"};
-}
-
-Arguments operator+(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-Setting in(const TemporaryFolder& folder) {
-  Setting setting;
-  setting.folder = folder.path();
-  return setting;
-}
 
 std::vector<std::string> texts(const io::CsvTable& table, std::string_view name) {
   std::vector<std::string> cells;
@@ -337,95 +307,6 @@ TEST(Chart, SeveralAnglesOfASpectrumStayLegible) {
     EXPECT_EQ(count(svg, part), 1u) << part;
   EXPECT_EQ(count(svg, "<path"), 60u);
   EXPECT_LE(count(svg, "\u00B0<"), 9u) << "entries of the legend";
-}
-
-struct Refused {
-  Arguments arguments;
-  int exit_code;
-  std::string said;
-};
-
-const std::vector<Refused> refused = {
-    {{}, 2, "expected KIND"},
-    {{"newtn"}, 2, "did you mean 'newton'?"},
-    {{"newton", "-o", "x.jpg"}, 2, "--output: expected a file ending in .png, .svg or .csv, got 'x.jpg'"},
-    {{"newton", "-o", "x"}, 2, "--output"},
-    {{"newton", "-o", "x.csv", "-o", "./x.csv"}, 2, "twice"},
-    {{"newton", "-o", "none/x.png"}, 4, "none/x.png"},
-    {{"newton", "-o", "x.csv", "--format", "csv"}, 2, "--format: expected without --output"},
-    {{"newton", "--format", "gif"}, 2, "unknown value 'gif'"},
-    {{"newton", "--dpi", "100", "--width", "500"}, 2, "--width: expected without --dpi"},
-    {{"newton", "--dpi", "1e9"}, 2, "--dpi"},
-    {{"newton", "--width", "1e3"}, 2, "--width"},
-    {{"newton", "--retardation", "0:1um"}, 2, "--retardation: expected with michel-levy only, got it with newton"},
-    {{"michel-levy", "--layer", "1"}, 2, "--layer: expected with newton and angle only"},
-    {{"michel-levy", "--side", "both"}, 2, "--side: expected with newton and angle only"},
-    {{"michel-levy", "air | water 1nm | air"}, 2, "STACK: expected with newton and angle only"},
-    {{"michel-levy", "--retardation", "0:1um:1mm"}, 2, "--retardation: expected at least two values"},
-    {{"michel-levy", "--birefringence", "0"}, 2, "--birefringence: expected a number above 0"},
-    {{"newton", "air | water"}, 2, "STACK: expected a layer"},
-    {{"newton", "air | water 1nm | 1.5 2nm | air"}, 2, "--layer: expected which of the 2 layers"},
-    {{"newton", "--layer", "2"}, 2, "--layer: expected a whole number from 1 to 1, got '2'"},
-    {{"newton", "--layer", "0"}, 2, "--layer"},
-    {{"newton", "--thickness", "5"}, 2, "--thickness: expected A:B or A:B:STEP in nm, got '5'"},
-    {{"newton", "--thickness", "5:5nm"}, 2, "--thickness: expected A:B with A < B"},
-    {{"newton", "--thickness", "0:5furlong"}, 2, "--thickness: expected a number"},
-    {{"newton", "--thickness", "-1:5nm"}, 2, "--thickness: expected a number from 0"},
-    {{"newton", "--thickness", "0:5nm:0"}, 2, "--thickness: expected a number above 0 nm"},
-    {{"newton", "--thickness", "0:1m"}, 2, "--thickness"},
-    {{"newton", "--thickness", "0:1cm:1nm"}, 2, "--thickness: expected at most"},
-    {{"newton", "--angle", "91"}, 2, "--angle: expected a number from 0 to 90 degrees"},
-    {{"newton", "--angle", "0:90:1"}, 2, "--angle: expected at most 24 strips"},
-    {{"angle", "--angle", "0,30"}, 2, "--angle: expected A:B or A:B:STEP"},
-    {{"angle", "--thickness", "0:2000nm:0.1nm", "--angle", "0:90:0.1"}, 2, "at most 1000000 colours"},
-    {{"newton", "--exposure", "bright"}, 2, "--exposure: expected each, one or a number of stops"},
-    {{"newton", "--adaptation", "bradfrod"}, 2, "did you mean 'bradford'?"},
-    {{"newton", "--exposure", "eahc"}, 2, "did you mean 'each'?"},
-    {{"newton", "--gamut", "x"}, 2, "--gamut"},
-    {{"newton", "--illuminant", "D56"}, 3, "--illuminant: unknown illuminant 'D56'"},
-    {{"newton", "air | watr 0nm | air"}, 3, "did you mean 'water'?"},
-    {{"newton", "air | (MgF2 1nm | 1.5 0nm)^2 | air", "--layer", "1", "--interference", "two-beam"}, 3, "airy"},
-};
-
-TEST(Chart, RefusalsLeaveNothingBehind) {
-  const TemporaryFolder folder;
-  for (const Refused& c : refused) {
-    const Outcome outcome = run(Arguments{"chart"} + c.arguments, in(folder));
-    std::string shown;
-    for (const std::string& argument : c.arguments) shown += " '" + argument + "'";
-    EXPECT_EQ(outcome.exit_code, c.exit_code) << shown << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(c.said), std::string::npos) << shown << "\n" << outcome.err;
-    EXPECT_EQ(outcome.out, "") << shown;
-  }
-  EXPECT_TRUE(folder.files().empty());
-}
-
-TEST(Chart, DoesNotOverwriteWhatItReads) {
-  const TemporaryFolder folder;
-  const std::string film = "wavelength_nm,n,k\n360,1.5,0\n830,1.49,0\n", lamp = "wavelength_nm,power\n360,1\n830,2\n";
-  folder.write("film.csv", film);
-  folder.write("lamp.csv", lamp);
-  const Arguments arguments = {"chart",        "newton",        "air | file:film.csv 0nm | air",
-                               "--illuminant", "file:lamp.csv", "--thickness",
-                               "0:100nm:10nm"};
-  for (const char* name : {"film.csv", "lamp.csv"}) {
-    const Outcome outcome = run(arguments + Arguments{"-o", name}, in(folder));
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find("is an input"), std::string::npos) << outcome.err;
-  }
-  EXPECT_EQ(run(arguments + Arguments{"-o", "colours.csv"}, in(folder)).exit_code, 0);
-  EXPECT_EQ(read_all(folder.path() / "film.csv"), film);
-  EXPECT_EQ(read_all(folder.path() / "lamp.csv"), lamp);
-}
-
-TEST(Chart, AFullDiskLeavesNoPartOfAFile) {
-  for (const std::string& kind : kinds()) {
-    const TemporaryFolder folder;
-    Setting setting = in(folder);
-    setting.most_file_bytes = 1000;
-    EXPECT_EQ(run(quick(kind) + Arguments{"-o", "a.png"}, setting).exit_code, 4) << kind;
-    EXPECT_TRUE(folder.files().empty()) << kind;
-  }
 }
 
 }  // namespace

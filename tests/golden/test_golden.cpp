@@ -14,13 +14,13 @@
 #include "golden_file.h"
 #include "other_scene.h"
 #include "shabon/api/shabon.h"
+#include "tests/gallery_scene.h"
 
 namespace shabon::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path scenes_folder = fs::path(SHABON_SOURCE_DIR) / "scenes";
 const fs::path golden_folder = fs::path(SHABON_SOURCE_DIR) / "tests" / "golden" / "data";
 
 constexpr int width = 80;  // and as high as the scene's own picture asks for
@@ -28,13 +28,6 @@ constexpr int golden_samples = 4096;
 constexpr int first_seed = 1001, second_seed = 2002, golden_seed = 3003;
 
 fs::path golden_path(const std::string& scene) { return golden_folder / (scene + ".exr"); }
-
-std::set<std::string> scene_names() {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(scenes_folder))
-    if (entry.is_directory()) names.insert(entry.path().filename().string());
-  return names;
-}
 
 // GoogleTest's names are made of letters, digits and underscores.
 std::string test_name(std::string scene) {
@@ -51,28 +44,11 @@ std::string how_to_make(const std::string& scene) {
 // What scatters light is noisier than bubbles are, and is given more samples: by default so many.
 int samples_of(const scene::Scene& scene) { return scene.objects.empty() ? 16 : 64; }
 
-// The scene as its file has it, but small, with its simulated films as they are at its time.
-Result<scene::Scene> small_scene(const std::string& name) {
-  const fs::path path = scenes_folder / name / "scene.yaml";
-  const Result<std::string> text = io::read_text_file(path, io::yaml_max_bytes);
-  if (!text) return text.errors();
-  const auto resources = api::file_resources(path.parent_path());
-  const Result<scene::Scene> whole = scene::load_scene(*text, path.string(), {}, resources);
-  if (!whole) return whole;
-  const int height = std::max(1, (width * whole->height + whole->width / 2) / whole->width);
-  const std::vector<std::string> overrides = {"image.width=" + std::to_string(width),
-                                              "image.height=" + std::to_string(height)};
-  auto scene = scene::load_scene(*text, path.string(), overrides, resources);
-  if (!scene) return scene;
-  if (const Status ran = scene::run_films(*scene); !ran) return ran.errors();
-  return scene;
-}
-
 Result<scene::Scene> load(const std::string& name, int seed, std::optional<int> samples = {}) {
   static std::map<std::string, scene::Scene> known;  // films run for seconds
   auto found = known.find(name);
   if (found == known.end()) {
-    auto scene = small_scene(name);
+    auto scene = gallery_scene(name, width);
     if (!scene) return scene;
     found = known.emplace(name, *std::move(scene)).first;
   }
@@ -146,11 +122,11 @@ TEST_P(Golden, AFilmThreePerCentThickerIsAnotherPicture) {
   EXPECT_FALSE(compared.agrees()) << compared.text();
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(gallery_names()),
                          [](const auto& scene) { return test_name(scene.param); });
 
 TEST(Gallery, EveryGoldenHasItsScene) {
-  const std::set<std::string> scenes = scene_names();
+  const std::set<std::string> scenes = gallery_names();
   ASSERT_FALSE(scenes.empty());
   for (const auto& entry : fs::directory_iterator(golden_folder))
     EXPECT_TRUE(scenes.contains(entry.path().stem().string())) << entry.path() << " has no scene";
@@ -158,12 +134,12 @@ TEST(Gallery, EveryGoldenHasItsScene) {
 
 // The gallery shows every scene: a thumbnail, a page with the command that renders it, and a link from the index.
 TEST(Gallery, EverySceneIsInTheGallery) {
-  const Result<std::string> index = io::read_text_file(scenes_folder / "README.md", 1 << 20);
+  const Result<std::string> index = io::read_text_file(gallery_folder / "README.md", 1 << 20);
   ASSERT_TRUE(index) << to_text(index.errors());
-  for (const std::string& name : scene_names()) {
-    EXPECT_TRUE(fs::exists(scenes_folder / name / "thumb.png")) << name;
+  for (const std::string& name : gallery_names()) {
+    EXPECT_TRUE(fs::exists(gallery_folder / name / "thumb.png")) << name;
     EXPECT_NE(index->find("(" + name + "/"), std::string::npos) << "scenes/README.md does not link to " << name;
-    const Result<std::string> page = io::read_text_file(scenes_folder / name / "README.md", 1 << 20);
+    const Result<std::string> page = io::read_text_file(gallery_folder / name / "README.md", 1 << 20);
     ASSERT_TRUE(page) << to_text(page.errors());
     EXPECT_NE(page->find("shabon render scenes/" + name + "/scene.yaml"), std::string::npos)
         << "scenes/" << name << "/README.md does not say how to render it";

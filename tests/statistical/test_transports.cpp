@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
-#include <filesystem>
 #include <iostream>
 #include <set>
 
 #include "shabon/api/shabon.h"
+#include "tests/gallery_scene.h"
 #include "tests/statistical/z_tests.h"
 
 namespace shabon {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int width = 32, block = 8;
 constexpr int renders = 12;                        // of different seeds, by each transport
@@ -21,29 +19,9 @@ constexpr int samples = SHABON_TRANSPORT_SAMPLES;  // of each: a multiple of the
 constexpr double unavoidable = 1e-5;               // of the picture's mean: where chance makes no difference
 constexpr const char* components[] = {"X", "Y", "Z"};
 
-const fs::path scenes_folder = fs::path(SHABON_SOURCE_DIR) / "scenes";
-
-std::set<std::string> scene_names() {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(scenes_folder))
-    if (entry.is_directory()) names.insert(entry.path().filename().string());
-  return names;
-}
-
 Result<scene::Scene> load(const std::string& name) {
-  const fs::path path = scenes_folder / name / "scene.yaml";
-  const Result<std::string> text = io::read_text_file(path, io::yaml_max_bytes);
-  if (!text) return text.errors();
-  const auto resources = api::file_resources(path.parent_path());
-  const Result<scene::Scene> whole = scene::load_scene(*text, path.string(), {}, resources);
-  if (!whole) return whole;
-  const int height = std::max(1, width * whole->height / whole->width);
-  const std::vector<std::string> overrides = {"image.width=" + std::to_string(width),
-                                              "image.height=" + std::to_string(height),
-                                              "render.samples=" + std::to_string(samples)};
-  auto scene = scene::load_scene(*text, path.string(), overrides, resources);
-  if (!scene) return scene;
-  if (const Status ran = scene::run_films(*scene); !ran) return ran.errors();
+  auto scene = test::gallery_scene(name, width);
+  if (scene) scene->render.samples = samples;
   return scene;
 }
 
@@ -96,7 +74,7 @@ TEST_P(Transports, TreeAndPathComeToTheSame) {
   EXPECT_TRUE(differences.agree()) << differences.text();
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Transports, testing::ValuesIn(scene_names()), [](const auto& scene) {
+INSTANTIATE_TEST_SUITE_P(Scenes, Transports, testing::ValuesIn(test::gallery_names()), [](const auto& scene) {
   std::string name = scene.param;
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';

@@ -59,6 +59,10 @@ class Checker {
     add(key, "expected " + format_number(info.range.low) + " to " + format_number(info.range.high) + unit + ", got " +
                  (std::isfinite(x) ? format_number(x) : "no number"));
   }
+  void at_most(double x, const std::string& key, double most, const std::string& most_key) {
+    if (x > most)
+      add(key, "expected at most " + most_key + ", which is " + format_number(most) + ", got " + format_number(x));
+  }
   void direction(const math::Vec3d& v, const std::string& key) {
     if (!(math::length(v) > 1e-12)) add(key, "expected a direction, got a vector without length");
   }
@@ -71,16 +75,18 @@ class Checker {
     direction(air.direction, path + ".direction");
   }
   void rules(const RegenerationDesc& source, const std::string& path) {
-    if (source.from_deg > source.to_deg) add(path + ".from_deg", "expected at most to_deg");
+    at_most(source.from_deg, path + ".from_deg", source.to_deg, "to_deg");
   }
   void rules(const BlackFilmDesc& black, const std::string& path) {
-    if (!(black.thickness_nm < black.nucleation_nm)) add(path + ".thickness_nm", "expected less than nucleation_nm");
+    if (!(black.thickness_nm < black.nucleation_nm))
+      add(path + ".thickness_nm", "expected less than nucleation_nm, which is " + format_number(black.nucleation_nm) +
+                                      ", got " + format_number(black.thickness_nm));
   }
   void rules(const RuptureDesc& rupture, const std::string& path) {
-    if (rupture.from_nm > rupture.to_nm) add(path + ".from_nm", "expected at most to_nm");
+    at_most(rupture.from_nm, path + ".from_nm", rupture.to_nm, "to_nm");
   }
   void rules(const FlowDesc& desc, const std::string&) {
-    if (desc.step.shortest_s > desc.step.longest_s) add("step.shortest_s", "expected at most step.longest_s");
+    at_most(desc.step.shortest_s, "step.shortest_s", desc.step.longest_s, "step.longest_s");
   }
 };
 
