@@ -13,7 +13,7 @@ namespace shabon::film {
 namespace {
 
 constexpr std::string_view magic = "SHABON film flow";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t head = magic.size() + sizeof version, tail = sizeof(std::uint64_t);
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {

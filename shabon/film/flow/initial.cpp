@@ -19,6 +19,12 @@ void scale_to_mean(const Metric& metric, Numbers& cells, double mean) {
   for (std::size_t c = 0; c < cells.size(); ++c) cells[c] *= factor;
 }
 
+// The depth of a direction below the centre, in radii; 0 without gravity.
+double depth(const FlowDesc& desc, const Vec3d& from_centre) {
+  const double g = math::length(desc.gravity_m_s2);
+  return g > 0 ? math::dot(desc.gravity_m_s2, from_centre) / g : 0;
+}
+
 Status set_thickness(const Metric& metric, const FlowDesc& desc, const FilmFlow::InitialThickness& given,
                      Numbers& thickness) {
   const RandomWaves noise(hash64(desc.seed, 1), desc.initial.noise_scale_m);
@@ -27,21 +33,32 @@ Status set_thickness(const Metric& metric, const FlowDesc& desc, const FilmFlow:
     double h = given ? given(at) : 1;
     if (!(h > 0 && h < 1e9))
       return fail(Failure::content, "the initial thickness must be above 0 nm everywhere, got " + format_number(h, 6));
+    if (desc.initial.slope > 0) h *= 1 + desc.initial.slope * depth(desc, at);
     if (desc.initial.noise > 0) h *= std::exp(desc.initial.noise * noise.value(at * metric.radius));
     thickness[c] = h;
   }
   return Done{};
 }
 
-// Uniform, or in balance with gravity.
+// Relative to its mean: (95).
+double balancing_surfactant(double squeeze, double slope, double depth) {
+  return 1 + squeeze * (depth + slope * (depth * depth - 1.0 / 3) / 2);
+}
+
+// Uniform, or in balance with gravity: with the thickness, (79), or under one that is straight in height.
 void set_surfactant(const Metric& metric, const FlowDesc& desc, FilmState& state) {
-  const double g = math::length(desc.gravity_m_s2);
+  const double g = math::length(desc.gravity_m_s2), slope = desc.initial.slope;
+  const bool balanced = desc.initial.equilibrium && g > 0;
   for (std::size_t c = 0; c < state.surfactant.size(); ++c) {
+    const Vec3d& at = metric.grid->centres[c];
     double here = 1;
-    if (desc.initial.equilibrium && g > 0)
-      here = std::exp(squeeze(desc) * math::dot(desc.gravity_m_s2, metric.grid->centres[c]) / g);
+    if (balanced && slope > 0) {
+      here = balancing_surfactant(squeeze(desc), slope, depth(desc, at));
+    } else if (balanced) {
+      here = std::exp(squeeze(desc) * math::dot(desc.gravity_m_s2, at) / g);
+      state.thickness[c] *= here;
+    }
     state.surfactant[c] = here;
-    state.thickness[c] *= here;
   }
 }
 
@@ -51,6 +68,8 @@ double squeeze(const FlowDesc& desc) {
   return desc.density_kg_m3 * math::length(desc.gravity_m_s2) * desc.radius_m * desc.mean_thickness_nm * 1e-9 /
          desc.elasticity_n_m;
 }
+
+double most_balanced_squeeze(double slope) { return -1 / (balancing_surfactant(1, slope, -1) - 1); }
 
 FilmState empty_state(const Metric& metric) {
   FilmState state;

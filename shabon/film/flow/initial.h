@@ -15,4 +15,7 @@ FilmState empty_state(const Metric& metric);
 // Gravity over elasticity, a of (79): how much the balance of the two squeezes the film.
 double squeeze(const FlowDesc& desc);
 
+// Below this a of (95) some surfactant is left at the top of a film of this slope (InitialFilmDesc).
+double most_balanced_squeeze(double slope);
+
 }  // namespace shabon::film

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "shabon/base/text.h"
+#include "shabon/film/flow/initial.h"
 
 namespace shabon::film {
 
@@ -87,6 +88,18 @@ class Checker {
   }
   void rules(const FlowDesc& desc, const std::string&) {
     at_most(desc.step.shortest_s, "step.shortest_s", desc.step.longest_s, "step.longest_s");
+    slope(desc);
+  }
+  void slope(const FlowDesc& desc) {
+    if (!(desc.initial.slope > 0)) return;
+    if (!(math::length(desc.gravity_m_s2) > 0))
+      return add("initial.slope", "expected 0 where gravity_m_s2 is 0: without it no height is told");
+    const double most = most_balanced_squeeze(desc.initial.slope), squeezed = squeeze(desc);
+    if (desc.initial.equilibrium && !(squeezed < most))
+      add("initial.equilibrium",
+          "expected a film light enough for its surfactant to hold it: density g radius thickness / elasticity below " +
+              format_number(most, 3) + " for this slope, got " + format_number(squeezed, 3) +
+              "; raise elasticity_n_m or lower mean_thickness_nm");
   }
 };
 

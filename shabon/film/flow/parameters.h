@@ -17,6 +17,7 @@ namespace shabon::film {
 // The film at the beginning; its mean thickness is that of FlowDesc.
 struct InitialFilmDesc {
   bool equilibrium = false;
+  double slope = 0;
   double noise = 0.25;
   double noise_scale_m = 0.01;
   double swirl_m_s = 0;
@@ -28,7 +29,11 @@ constexpr auto fields(Of<InitialFilmDesc>) {
   return std::tuple{
       Field{"equilibrium",
             &InitialFilmDesc::equilibrium,
-            {.doc = "thickness and surfactant in balance with gravity instead of uniform"}},
+            {.doc = "in balance with gravity, (79), instead of uniform; with `slope` the surfactant alone, (95)"}},
+      Field{"slope",
+            &InitialFilmDesc::slope,
+            {.range = {.low = 0, .high = 0.99},
+             .doc = "straight in height: the lowest point thicker, the highest thinner than the mean by this share"}},
       Field{"noise",
             &InitialFilmDesc::noise,
             {.range = {.low = 0, .high = 0.9}, .doc = "root mean square of the thickness's relative noise"}},

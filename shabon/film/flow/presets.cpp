@@ -82,6 +82,18 @@ FlowDesc huang2020() {
   return desc;
 }
 
+// The film of the paper of 1989, 150 nm at the top and 900 at the bottom, that its authors wished to see flow: at rest
+// by itself, until the drop below and some air stir it. Damp air takes nothing of it.
+FlowDesc linear1989() {
+  constexpr double top_nm = 150, bottom_nm = 900;
+  FlowDesc desc;
+  desc.mean_thickness_nm = (top_nm + bottom_nm) / 2;
+  desc.initial = {.equilibrium = true, .slope = (bottom_nm - top_nm) / (bottom_nm + top_nm), .noise = 0};
+  desc.air = {AirSwirls{.speed_m_s = 0.2, .scale_m = 0.02, .envelope = {.ramp_s = 2}}};
+  desc.regeneration = RegenerationDesc{.rate_per_s = 25};
+  return desc;
+}
+
 }  // namespace
 
 const std::vector<FlowPreset>& flow_presets() {
@@ -93,6 +105,7 @@ const std::vector<FlowPreset>& flow_presets() {
       {"giant", "A bubble of 20 cm in moving air.", giant()},
       {"glycerol", "A thick film of glycerol and water: slow and smooth.", glycerol()},
       {"huang2020", "The soft film of Huang et al. 2020, squeezed by gravity.", huang2020()},
+      {"linear1989", "The straight film of the paper of 1989, and what becomes of it.", linear1989()},
   };
   return presets;
 }

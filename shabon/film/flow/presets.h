@@ -15,7 +15,7 @@ struct FlowPreset {
   FlowDesc desc;
 };
 
-// fresh, drain, gust, old, giant, glycerol, huang2020.
+// fresh, drain, gust, old, giant, glycerol, huang2020, linear1989.
 const std::vector<FlowPreset>& flow_presets();
 
 // The preset of a name, ignoring case, or nothing.

@@ -41,6 +41,39 @@ TEST(Equilibrium, IsReachedWithSecondOrder) {
   }
 }
 
+// How far a film straight in height goes in two seconds with nothing but gravity: L2, relative to its mean.
+double drift_of_straight_film(double a, bool balanced) {
+  FlowDesc desc = test::quiet_film();
+  desc.viscosity_pa_s = 1e-2;
+  desc.air_drag_kg_m2_s = 0.04;
+  desc.step.tolerance = 1e-10;
+  desc.gravity_m_s2 = {0, -9.81, 0};
+  desc.elasticity_n_m = desc.density_kg_m3 * 9.81 * desc.radius_m * desc.mean_thickness_nm * 1e-9 / a;
+  desc.initial.slope = 5.0 / 7;
+  desc.initial.equilibrium = balanced;
+  Laboratory lab(desc);
+  const Numbers start = lab.film.thickness;
+  lab.run_to(2);
+  double sum = 0, area = 0;
+  for (std::size_t c = 0; c < start.size(); ++c) {
+    const double off = (lab.film.thickness[c] - start[c]) / (desc.mean_thickness_nm * 1e-9);
+    sum += lab.metric.area[c] * off * off;
+    area += lab.metric.area[c];
+  }
+  return std::sqrt(sum / area);
+}
+
+// To what the solver leaves, not only to the order of the grid: the difference of (95) between two cells is that of
+// their depths times the mean of their thicknesses.
+TEST(Equilibrium, HoldsAStraightFilmStill) {
+  for (const double a : {0.1, 0.8}) {
+    const double still = drift_of_straight_film(a, true), falls = drift_of_straight_film(a, false);
+    std::printf("a %.1f: a straight film goes %.1e of its thickness in 2 s, unbalanced %.1e\n", a, still, falls);
+    EXPECT_LT(still, 1e-9) << a;
+    EXPECT_GT(falls, 1e-3) << a;
+  }
+}
+
 TEST(Equilibrium, HasNoImprintOfTheGrid) {
   const int level = test::level - 1;
   const auto grid = sphere_grid(level);

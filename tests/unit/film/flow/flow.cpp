@@ -162,6 +162,53 @@ TEST(FilmFlow, StartsFromAGivenThickness) {
   EXPECT_FALSE(FilmFlow::start(desc, [](const Vec3d& at) { return at.y; }).ok());
 }
 
+// Straight in height whatever way gravity points, with its mean, and with the surfactant of (95) under it.
+TEST(FilmFlow, StartsStraightInHeight) {
+  for (const Vec3d& down : {Vec3d{0, -1, 0}, Vec3d{1, 2, -2} * (1.0 / 3)}) {
+    FlowDesc desc;
+    desc.level = 4;
+    desc.mean_thickness_nm = 525;
+    desc.elasticity_n_m = 1e-3;
+    desc.gravity_m_s2 = down * 9.0;
+    desc.initial = {.equilibrium = true, .slope = 5.0 / 7, .noise = 0};
+    const FilmFlow flow = started(desc);
+    const double a = 1000 * 9.0 * 0.03 * 525e-9 / 1e-3;
+    double mean = 0, area = 0;
+    for (std::size_t c = 0; c < flow.directions().size(); ++c) {
+      const double depth = dot(down, flow.directions()[c]);
+      EXPECT_NEAR(flow.thickness_m()[c] * 1e9, 525 + 375 * depth, 0.05);
+      EXPECT_NEAR(flow.surfactant()[c], 1 + a * (depth + 5.0 / 14 * (depth * depth - 1.0 / 3)), 1e-4);
+      mean += flow.areas_m2()[c] * flow.thickness_m()[c];
+      area += flow.areas_m2()[c];
+    }
+    EXPECT_NEAR(mean / area * 1e9, 525, 1e-9);
+    desc.initial.equilibrium = false;
+    const FilmFlow falling = started(desc);
+    for (const double surfactant : falling.surfactant()) EXPECT_NEAR(surfactant, 1, 1e-12);
+    EXPECT_EQ(falling.thickness_m()[7], flow.thickness_m()[7]);
+  }
+}
+
+// A film so heavy that no surfactant would be left at its top, and one that no gravity tells up from down.
+TEST(FilmFlow, RefusesAStraightFilmThatCannotBe) {
+  FlowDesc desc;
+  desc.radius_m = 0.1;
+  desc.initial = {.equilibrium = true, .slope = 0.6, .noise = 0};
+  const double most = 1 / (1 - 0.6 / 3);
+  const auto problem_at = [&](double a) {
+    desc.elasticity_n_m = desc.density_kg_m3 * length(desc.gravity_m_s2) * desc.radius_m * 800e-9 / a;
+    return check(desc);
+  };
+  EXPECT_TRUE(problem_at(0.999 * most).empty());
+  ASSERT_EQ(problem_at(1.001 * most).size(), 1u);
+  EXPECT_EQ(problem_at(1.001 * most)[0].key, "initial.equilibrium");
+  desc.initial.equilibrium = false;
+  EXPECT_TRUE(problem_at(1.001 * most).empty());
+  desc.gravity_m_s2 = {0, 0, 0};
+  ASSERT_EQ(check(desc).size(), 1u);
+  EXPECT_EQ(check(desc)[0].key, "initial.slope");
+}
+
 // The same film at another level: noise, eddies and events do not follow the cells.
 TEST(FilmFlow, StartsAlikeAtEveryLevel) {
   FlowDesc desc;
@@ -243,8 +290,14 @@ TEST(FlowPresets, AreValidAndRun) {
     EXPECT_TRUE(done.ok()) << preset.name << to_text(done.errors());
     EXPECT_GT(flow.report().fastest_m_s, 0.001) << preset.name;
   }
-  EXPECT_GE(names.size(), 7u);
+  EXPECT_GE(names.size(), 8u);
   EXPECT_EQ(flow_preset("no such film"), nullptr);
+}
+
+TEST(FlowPresets, Linear1989BeginsAsThePictureOfThePaper) {
+  const FilmFlow flow = started(flow_preset("linear1989")->desc);
+  for (std::size_t c = 0; c < flow.directions().size(); ++c)
+    EXPECT_NEAR(flow.thickness_m()[c] * 1e9, 525 - 375 * flow.directions()[c].y, 0.02);
 }
 
 }  // namespace
