@@ -83,14 +83,14 @@ FlowDesc huang2020() {
 }
 
 // The film of the paper of 1989, 150 nm at the top and 900 at the bottom, that its authors wished to see flow: at rest
-// by itself, until the drop below and some air stir it. Damp air takes nothing of it.
+// by itself, until the drop below and air so light that the bands survive it stir it. Damp air takes nothing of it.
 FlowDesc linear1989() {
   constexpr double top_nm = 150, bottom_nm = 900;
   FlowDesc desc;
   desc.mean_thickness_nm = (top_nm + bottom_nm) / 2;
   desc.initial = {.equilibrium = true, .slope = (bottom_nm - top_nm) / (bottom_nm + top_nm), .noise = 0};
-  desc.air = {AirSwirls{.speed_m_s = 0.2, .scale_m = 0.02, .envelope = {.ramp_s = 2}}};
-  desc.regeneration = RegenerationDesc{.rate_per_s = 25};
+  desc.air = {AirSwirls{.speed_m_s = 0.03, .scale_m = 0.02, .envelope = {.ramp_s = 1}}};
+  desc.regeneration = RegenerationDesc{.rate_per_s = 12};
   return desc;
 }
 
