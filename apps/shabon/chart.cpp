@@ -12,6 +12,7 @@
 #include "options.h"
 #include "picture_files.h"
 #include "shabon/optics/stack_expression.h"
+#include "shabon/scene/ranges.h"
 #include "stack_input.h"
 #include "streams.h"
 
@@ -19,7 +20,7 @@ namespace shabon::app {
 
 namespace {
 
-constexpr std::size_t most_values = 20'001, most_angles = 1000, most_birefringences = 200;
+constexpr std::size_t most_values = 20'001, most_angles = 1000, most_birefringences = 200, most_times = 24;
 constexpr double drawing_width_in = 1000.0 / 96;
 constexpr double most_dpi = 1200, least_dpi = 20, most_exposure_ev = 100;
 constexpr long long least_width_px = 200, most_width_px = 12'500;
@@ -36,6 +37,7 @@ struct ChartCommand {
   std::string lamp = "D65";
   std::vector<std::string> outputs;
   std::optional<std::size_t> print;  // index of chart_file_kinds()
+  std::optional<ChartExposure> exposure;
   std::optional<double> dpi;
   std::optional<long long> width_px;
   std::vector<SomeKinds> limited;
@@ -50,7 +52,14 @@ std::vector<std::filesystem::path> input_files(const ChartCommand& command) {
   };
   if (command.chart.expression) (void)optics::parse_stack(*command.chart.expression, note).ok();
   if (const auto file = color::illuminant_file(command.lamp)) files.emplace_back(*file);
+  for (const std::filesystem::path& file : profile_files(command.chart)) files.push_back(file);
   return files;
+}
+
+// "newton, angle and profile".
+std::string listed(const std::vector<std::string_view>& names) {
+  const auto last = names.end() - 1;
+  return fmt::format("{}{}{}", fmt::join(names.begin(), last, ", "), names.size() > 1 ? " and " : "", *last);
 }
 
 // Called while the options still exist, at the end of the parse.
@@ -60,7 +69,7 @@ void check_usage(const ChartCommand& command) {
     const bool known = std::find(limited.kinds.begin(), limited.kinds.end(), kind) != limited.kinds.end();
     if (!known && limited.option->count() > 0)
       usage_error(limited.option->get_name(),
-                  fmt::format("expected with {} only, got it with {}", fmt::join(limited.kinds, " and "), kind));
+                  fmt::format("expected with {} only, got it with {}", listed(limited.kinds), kind));
   }
   if (command.print && !command.outputs.empty())
     usage_error("--format", "expected without --output, whose ending tells the format");
@@ -100,6 +109,7 @@ int run_chart(ChartCommand& command) {
   Result<color::Illuminant> lamp = read_lamp(command.lamp);
   if (!lamp) return report(lamp.errors());
   command.chart.lamp = std::move(*lamp);
+  command.chart.exposure = command.exposure.value_or(kind.exposure);
   const auto asked = [&](std::string_view form) {
     return (command.print && chart_file_kinds()[*command.print].name == form) ||
            std::any_of(files->begin(), files->end(), [&](const ChartFile& file) { return file.kind->name == form; });
@@ -125,10 +135,21 @@ CLI::Option* add_optional_name(CLI::App& app, const std::string& name, std::opti
   return app.add_option_function<std::string>(name, choose, description)->type_name("NAME");
 }
 
+// How thick a film is over a bubble.
+void declare_thickness(CLI::App& app, ChartCommand& command) {
+  const auto limit = [&](CLI::Option* option) { command.limited.push_back({option, {"profile"}}); };
+  limit(add_text(
+      app, "--model", command.chart.model, "MODEL",
+      fmt::format("Thickness over the bubble, as below 'thickness' in a scene file [{}]", default_profile_model)));
+  limit(add_numbers(app, "--time", command.chart.times_s, scene::time_range_s, "s", most_times,
+                    "Moments, for models that age and for numbered maps, such as 0,4,16"));
+}
+
 // The options of films and of plates.
 void declare_content(CLI::App& app, ChartCommand& command) {
   ChartOptions& chart = command.chart;
-  const std::vector<std::string_view> films = {"newton", "angle"}, newton = {"newton"}, levy = {"michel-levy"};
+  const std::vector<std::string_view> films = {"newton", "angle", "profile"}, swept = {"newton", "angle"},
+                                      ranged = {"newton", "angle", "michel-levy"}, levy = {"michel-levy"};
   const auto limit = [&](CLI::Option* option, std::vector<std::string_view> kinds) {
     command.limited.push_back({option, std::move(kinds)});
   };
@@ -142,9 +163,10 @@ void declare_content(CLI::App& app, ChartCommand& command) {
   limit(add_integer(app, "--layer", chart.layer, 1, optics::most_layers,
                     "The layer whose thickness changes, counted from 1; its thickness in STACK is not used"),
         films);
-  add_range("--thickness", chart.thickness_nm,
-            "Thickness of the film, or of the mineral, with units: 0:2000nm, 0:2um:5nm [newton 0:2000nm, angle "
-            "0:1500nm, michel-levy 0:50um]");
+  limit(add_range("--thickness", chart.thickness_nm,
+                  "Thickness of the film, or of the mineral, with units: 0:2000nm, 0:2um:5nm [newton 0:2000nm, angle "
+                  "0:1500nm, michel-levy 0:50um]"),
+        ranged);
   const auto read_angles = [&chart](const std::string& text) {
     constexpr Range allowed{.low = 0, .high = 90};
     if (text.find(':') != std::string::npos) {
@@ -155,17 +177,18 @@ void declare_content(CLI::App& app, ChartCommand& command) {
   };
   limit(app.add_option_function<std::string>("--angle", read_angles,
                                              "Angles of incidence in degrees: for newton a list such as 0,30,60 [0], "
-                                             "for angle a range such as 0:80 [0:90]")
+                                             "for angle a range such as 0:80 [0:90], for profile one [0]")
             ->type_name("LIST|A:B[:STEP]"),
         films);
   std::vector<std::string_view> sides;
   for (const ChartSide& side : chart_sides()) sides.push_back(side.name);
-  limit(add_optional_name(app, "--side", chart.side_index, sides,
-                          fmt::format("Side of the film: {} [newton both, angle reflected]", fmt::join(sides, ", "))),
+  limit(add_optional_name(
+            app, "--side", chart.side_index, sides,
+            fmt::format("Side of the film: {} [newton both, angle and profile reflected]", fmt::join(sides, ", "))),
         films);
   limit(app.add_flag("--curves", chart.curves,
                      "newton: also curves of Y and linear sRGB; angle: also lines of equal path difference"),
-        films);
+        swept);
   limit(
       add_choice(app, "--interference", chart.interference_index, optics::interference_models, "Model of interference"),
       films);
@@ -173,6 +196,7 @@ void declare_content(CLI::App& app, ChartCommand& command) {
   limit(add_numbers(app, "--birefringence", chart.birefringences, {.low = 0, .high = 10, .low_open = true}, "",
                     most_birefringences, "The lines of the fan, such as 0.009,0.036 [0.001 to 0.3]"),
         levy);
+  declare_thickness(app, command);
 }
 
 void declare_light(CLI::App& app, ChartCommand& command) {
@@ -183,22 +207,23 @@ void declare_light(CLI::App& app, ChartCommand& command) {
     if (color::gamut_mappings()[i].mapping == color::default_gamut_mapping) chart.gamut_index = i;
   add_choice(app, "--gamut", chart.gamut_index, color::gamut_mappings(), "What is shown for colours beyond sRGB");
   add_adaptation(app, chart.adaptation, "Adaptation of the drawing to the lamp, so that it looks white");
-  const auto read_exposure = [&chart](const std::string& text) {
+  const auto read_exposure = [&command](const std::string& text) {
     if (same_name(text, "each")) {
-      chart.exposure = ChartExposure::each;
+      command.exposure = ChartExposure::each;
     } else if (same_name(text, "one")) {
-      chart.exposure = ChartExposure::one;
+      command.exposure = ChartExposure::one;
     } else if (parse_number(text)) {
-      chart.exposure = ChartExposure::stops;
-      chart.exposure_ev = number_in("--exposure", text, {.low = -most_exposure_ev, .high = most_exposure_ev});
+      command.exposure = ChartExposure::stops;
+      command.chart.exposure_ev = number_in("--exposure", text, {.low = -most_exposure_ev, .high = most_exposure_ev});
     } else {
       constexpr std::string_view words[] = {"each", "one"};
       usage_error("--exposure", fmt::format("expected each, one or a number of stops, got {}", meant(text, words)));
     }
   };
   app.add_option_function<std::string>("--exposure", read_exposure,
-                                       "Brightness of the drawing: each (the brightest colour of every angle gets "
-                                       "Y = 1), one (the same factor for all angles) or stops, 0 for no change [each]")
+                                       "Brightness of the drawing: each (the brightest colour of every angle or time "
+                                       "gets Y = 1), one (the same factor for all) or stops, 0 for no change [each, "
+                                       "profile one]")
       ->type_name("each|one|EV");
 }
 
@@ -215,12 +240,13 @@ void declare_output(CLI::App& app, ChartCommand& command) {
               "Pixels of a PNG from left to right [2500]");
 }
 
-constexpr const char* help_text = R"(
-Kinds:
-  newton       colour over the thickness of a film, reflected and transmitted
-  angle        colour over thickness and angle
-  michel-levy  colours of birefringent minerals between crossed polarisers
+std::string kinds_help() {
+  std::string text = "\nKinds:\n";
+  for (const ChartKind& kind : chart_kinds) text += fmt::format("  {:<12} {}\n", kind.name, kind.summary);
+  return text;
+}
 
+constexpr const char* help_text = R"(
 Light is unpolarised and a film by itself reflects little of it: charts are brightened, by the factors that they tell;
 the numbers of a .csv are not. Colours are drawn in sRGB.
 
@@ -230,7 +256,8 @@ Examples:
   shabon chart newton 'air | TiO2 0nm | Ti' --thickness 0:300nm --curves -o titanium.png -o titanium.csv
   shabon chart newton 'air | MgF2 100nm | ZnS 0nm | glass' --layer 2 --illuminant A
   shabon chart angle 'air | 1.5 0nm | water' --thickness 0:1um --dpi 300
-  shabon chart michel-levy -o michel-levy.png)";
+  shabon chart michel-levy -o michel-levy.png
+  shabon chart profile --model '{self_similar: {top_nm: 300, bottom_nm: 1600}}' --time 0,4,16)";
 
 }  // namespace
 
@@ -251,7 +278,7 @@ Action declare_chart(CLI::App& app) {
   declare_content(app, *command);
   declare_light(app, *command);
   declare_output(app, *command);
-  app.footer(std::string(stack_help) + help_text);
+  app.footer(std::string(stack_help) + kinds_help() + help_text);
   app.callback([command] { check_usage(*command); });
   return [command] { return run_chart(*command); };
 }

@@ -1,6 +1,7 @@
 // What the kinds of `shabon chart` share: their options, and what each of them makes.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ struct ChartOptions {
   bool curves = false;
   std::optional<ChartRange> retardation_nm;
   std::vector<double> birefringences;
+  std::optional<std::string> model;  // of thickness, as below `thickness` in a scene file
+  std::vector<double> times_s = {0};
   color::Illuminant lamp;
   std::size_t observer_index = 0, gamut_index = 0;
   std::optional<color::Adaptation> adaptation;  // of what is drawn, from the lamp to the white of sRGB
@@ -62,11 +65,19 @@ struct MadeChart {
 Result<MadeChart> make_newton_chart(const ChartOptions& options);
 Result<MadeChart> make_angle_chart(const ChartOptions& options);
 Result<MadeChart> make_michel_levy_chart(const ChartOptions& options);
+Result<MadeChart> make_profile_chart(const ChartOptions& options);
+
+// The film of the paper of 1989, where no model is given.
+inline constexpr const char* default_profile_model = "{linear: {top_nm: 150, bottom_nm: 900}}";
+
+// The pictures that a model of thickness names.
+std::vector<std::filesystem::path> profile_files(const ChartOptions& options);
 
 struct ChartKind {
   std::string_view name;
   std::string_view summary;
   Result<MadeChart> (*make)(const ChartOptions&);
+  ChartExposure exposure = ChartExposure::each;  // unless one is asked for
 };
 
 // The closed set.
@@ -74,6 +85,8 @@ inline constexpr ChartKind chart_kinds[] = {
     {"newton", "colour over the thickness of a film, reflected and transmitted", make_newton_chart},
     {"angle", "colour over thickness and angle", make_angle_chart},
     {"michel-levy", "colours of birefringent minerals between crossed polarisers", make_michel_levy_chart},
+    // One factor, so that strips at several times tell how bright each film is.
+    {"profile", "thickness and colour from the top of a bubble to its bottom", make_profile_chart, ChartExposure::one},
 };
 
 }  // namespace shabon::app

@@ -26,6 +26,7 @@ inline std::vector<std::string> kinds() {
 inline Arguments quick(const std::string& kind) {
   if (kind == "newton") return {"chart", kind, "--thickness", "0:400nm:10nm", "--width", "600"};
   if (kind == "angle") return {"chart", kind, "--thickness", "0:400nm:40nm", "--angle", "0:80:20", "--width", "600"};
+  if (kind == "profile") return {"chart", kind, "--model", "linear: {top_nm: 0, bottom_nm: 400}", "--width", "600"};
   return {"chart", kind, "--retardation", "0:1800nm:10nm", "--width", "600"};
 }
 

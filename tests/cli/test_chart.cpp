@@ -27,7 +27,7 @@ std::vector<std::string> texts(const io::CsvTable& table, std::string_view name)
 }
 
 TEST(Chart, EveryKindIsWrittenInEveryForm) {
-  ASSERT_EQ(kinds(), (std::vector<std::string>{"newton", "angle", "michel-levy"}));
+  ASSERT_EQ(kinds(), (std::vector<std::string>{"newton", "angle", "michel-levy", "profile"}));
   for (const std::string& kind : kinds()) {
     const TemporaryFolder folder;
     const Outcome outcome = run(quick(kind) + Arguments{"-o", "a.png", "-o", "b.SVG", "-o", "c.csv"}, in(folder));
@@ -142,13 +142,15 @@ Pixel pixel(const std::string& hex) {
 TEST(Chart, ThePictureShowsTheColoursOfTheTable) {
   for (const Arguments& arguments :
        {quick("newton") + Arguments{"--side", "reflected"},
-        {"chart", "michel-levy", "--retardation", "0:1800nm:20nm", "--birefringence", "0.3"}}) {
+        {"chart", "michel-levy", "--retardation", "0:1800nm:20nm", "--birefringence", "0.3"},
+        Arguments{"chart", "profile"}}) {
     const TemporaryFolder folder;
     EXPECT_EQ(run(arguments + Arguments{"-o", "a.png", "-o", "a.csv"}, in(folder)).exit_code, 0);
     const Result<io::Rgb8Image> png = io::read_png(folder.path() / "a.png");
     const Result<io::CsvTable> table = io::read_csv(folder.path() / "a.csv");
     ASSERT_TRUE(png && table);
-    const std::vector<std::string> hex = texts(*table, "hex");
+    std::vector<std::string> hex = texts(*table, "hex");
+    if (arguments[1] == "profile") hex = {hex.begin() + 1, hex.end() - 1};  // the ends are under the strip's rim
     std::size_t most = 0;
     for (int y = 0; y < png->height; ++y) {
       std::size_t found = 0;
@@ -203,6 +205,10 @@ TEST(Chart, SaysWhatIsDrawn) {
   const std::string angle = result_of(quick("angle") + Arguments{"--format", "svg"});
   for (const char* part : {"angle of incidence (degrees)", "thickness d of the film: water (nm)", "reflected light"})
     EXPECT_NE(angle.find(part), std::string::npos) << part;
+  const std::string profile = result_of({"chart", "profile", "--time", "0,4", "--format", "svg"});
+  for (const char* part : {"thickness d (nm)", "depth below the top", "reflected after 4 s", "1st order", "5th order",
+                           "top_nm: 150", "air | water d | air"})
+    EXPECT_NE(profile.find(part), std::string::npos) << part;
   const std::string levy = result_of({"chart", "michel-levy", "--format", "svg"});
   for (const char* part : {"retardation (nm)", "thickness (\u00B5m)", "birefringence", ">0.001<", ">0.010<", ">0.050<",
                            ">0.300<", "thin section, 30 \u00B5m", "1st order", "4th order"})
