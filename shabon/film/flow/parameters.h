@@ -10,6 +10,7 @@
 #include "shabon/base/result.h"
 #include "shabon/film/flow/air.h"
 #include "shabon/film/flow/sources.h"
+#include "shabon/film/liquid.h"
 #include "shabon/math/vec.h"
 
 namespace shabon::film {
@@ -88,7 +89,7 @@ struct FlowDesc {
   double surface_viscosity_kg_s = 5e-9;
   double elasticity_n_m = 22e-3;
   double air_drag_kg_m2_s = 0.023;
-  math::Vec3d gravity_m_s2{0, -9.81, 0};
+  math::Vec3d gravity_m_s2{0, -standard_gravity_m_s2, 0};
   InitialFilmDesc initial = {};
   std::vector<AirMotion> air = {};
   std::optional<EvaporationDesc> evaporation = {};

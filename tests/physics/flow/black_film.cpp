@@ -67,7 +67,7 @@ TEST(Rupture, StopsTheFilmWhereItIsThinnest) {
   desc.level = 3;
   desc.mean_thickness_nm = 100;
   desc.evaporation = EvaporationDesc{.rate_nm_s = 40, .top_excess = 0.5};
-  desc.gravity_m_s2 = {0, -9.81, 0};
+  desc.gravity_m_s2 = {0, -standard_gravity_m_s2, 0};
   desc.rupture = RuptureDesc{.from_nm = 40, .to_nm = 60};
   auto flow = FilmFlow::start(desc);
   ASSERT_TRUE(flow.ok());

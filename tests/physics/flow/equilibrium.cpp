@@ -14,8 +14,8 @@ double error_at_rest(int level, double a, const Vec3d& down) {
   desc.viscosity_pa_s = 1e-2;
   desc.air_drag_kg_m2_s = 0.04;
   desc.step.tolerance = 1e-10;
-  desc.gravity_m_s2 = math::normalize(down) * 9.81;
-  desc.elasticity_n_m = desc.density_kg_m3 * 9.81 * desc.radius_m * desc.mean_thickness_nm * 1e-9 / a;
+  desc.gravity_m_s2 = math::normalize(down) * standard_gravity_m_s2;
+  desc.elasticity_n_m = desc.density_kg_m3 * standard_gravity_m_s2 * desc.radius_m * desc.mean_thickness_nm * 1e-9 / a;
   Laboratory lab(desc);
   lab.run_to(4);
   double difference = 0, norm = 0, fastest = 0;
@@ -47,8 +47,8 @@ double drift_of_straight_film(double a, bool balanced) {
   desc.viscosity_pa_s = 1e-2;
   desc.air_drag_kg_m2_s = 0.04;
   desc.step.tolerance = 1e-10;
-  desc.gravity_m_s2 = {0, -9.81, 0};
-  desc.elasticity_n_m = desc.density_kg_m3 * 9.81 * desc.radius_m * desc.mean_thickness_nm * 1e-9 / a;
+  desc.gravity_m_s2 = {0, -standard_gravity_m_s2, 0};
+  desc.elasticity_n_m = desc.density_kg_m3 * standard_gravity_m_s2 * desc.radius_m * desc.mean_thickness_nm * 1e-9 / a;
   desc.initial.slope = 5.0 / 7;
   desc.initial.equilibrium = balanced;
   Laboratory lab(desc);
