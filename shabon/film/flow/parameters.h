@@ -50,7 +50,7 @@ constexpr auto fields(Of<InitialFilmDesc>) {
 }
 
 struct FlowStepDesc {
-  double courant = 0.5;
+  double courant = 0.6;
   double longest_s = 8e-3;
   double shortest_s = 1e-7;
   double tolerance = 1e-5;
@@ -61,7 +61,8 @@ constexpr auto fields(Of<FlowStepDesc>) {
   return std::tuple{
       Field{"courant",
             &FlowStepDesc::courant,
-            {.range = {.low = 0.01, .high = 0.6}, .doc = "cells that the film may cross in one step"}},
+            {.range = {.low = 0.01, .high = 0.72},
+             .doc = "most cells that the film crosses in one step; steps aim at 1/1.2 of it"}},
       Field{"longest_s",
             &FlowStepDesc::longest_s,
             {.unit = "s", .range = {.low = 1e-6, .high = 0.1}, .doc = "longest step"}},
@@ -71,10 +72,11 @@ constexpr auto fields(Of<FlowStepDesc>) {
       Field{
           "tolerance",
           &FlowStepDesc::tolerance,
-          {.range = {.low = 1e-14, .high = 1e-2}, .doc = "residual of the Marangoni step, relative to the surfactant"}},
+          {.range = {.low = 1e-12, .high = 1e-2}, .doc = "residual of the Marangoni step, relative to the surfactant"}},
       Field{"most_iterations",
             &FlowStepDesc::most_iterations,
-            {.range = {.low = 1, .high = 100000}, .doc = "the run stops when the Marangoni step takes more"}}};
+            {.range = {.low = 1, .high = 100000},
+             .doc = "the run stops when the Marangoni step takes more, in shorter steps too"}}};
 }
 
 inline constexpr int finest_flow_level = 8;

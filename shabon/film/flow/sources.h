@@ -14,14 +14,15 @@ struct EvaporationDesc {
 };
 
 constexpr auto fields(Of<EvaporationDesc>) {
-  return std::tuple{
-      Field{"rate_nm_s",
-            &EvaporationDesc::rate_nm_s,
-            {.unit = "nm/s", .range = {.low = 0, .high = 200}, .doc = "thickness lost on both sides together"}},
-      Field{
-          "top_excess",
-          &EvaporationDesc::top_excess,
-          {.range = {.low = -1, .high = 1}, .doc = "share by which it is faster at the top and slower at the bottom"}}};
+  return std::tuple{Field{"rate_nm_s",
+                          &EvaporationDesc::rate_nm_s,
+                          {.unit = "nm/s",
+                           .range = {.low = 0, .high = 200},
+                           .doc = "thickness lost on both sides together, down to 4 nm or to black film"}},
+                    Field{"top_excess",
+                          &EvaporationDesc::top_excess,
+                          {.range = {.low = -1, .high = 1},
+                           .doc = "share by which it is faster at the top and slower at the bottom"}}};
 }
 
 // Thick film is sucked into the drop at the bottom and comes back thinner.

@@ -12,9 +12,12 @@ namespace shabon::film {
 
 namespace {
 
-// A film that gets faster within a step may cross so much more than asked for; transport stays monotone up to 0.75.
-constexpr double courant_excess = 1.2;
+// How far steps aim below the most that they may cross: a film that gets a little faster within one is not taken back.
+constexpr double courant_reserve = 1.2;
 constexpr double rash = 0.5;  // factor for a step that failed
+// So often a step is made shorter for a solver that does not converge. Each time the matrix is four times closer to
+// that of the areas; what still does not converge then fails for another reason.
+constexpr int most_unsolved = 4;
 
 FilmForces forces_of(const FlowDesc& desc) {
   return {desc.density_kg_m3, desc.elasticity_n_m, desc.air_drag_kg_m2_s, film_viscosity_m2_s(desc)};
@@ -68,7 +71,7 @@ double Stepper::crossing_rate(const Numbers& along) const {
 
 double Stepper::step_towards(const FilmState& state, double end_s) const {
   const double left_s = end_s - state.time_s, rate = crossing_rate(state.along);
-  const double may_s = std::min(desc_.step.longest_s, desc_.step.courant / std::max(rate, 1e-9));
+  const double may_s = std::min(desc_.step.longest_s, desc_.step.courant / courant_reserve / std::max(rate, 1e-9));
   return left_s / std::max(1.0, std::ceil(left_s / may_s * (1 - 1e-9)));
 }
 
@@ -80,7 +83,7 @@ Stepper::Trial Stepper::attempt(const FilmState& state, double step_s) {
                        desc_.step.tolerance, desc_.step.most_iterations, {surfactant_, along_, crossing_});
   Trial trial{Outcome::done, crossing_rate(along_) * step_s, solution.iterations};
   if (!solution.converged) trial.outcome = Outcome::not_converged;
-  if (!(trial.courant <= courant_excess * desc_.step.courant)) trial.outcome = Outcome::too_fast;
+  if (!(trial.courant <= desc_.step.courant)) trial.outcome = Outcome::too_fast;
   if (trial.outcome != Outcome::done) return trial;
   transport_.move({crossing_, along_, left_, step_s}, state.surfactant, surfactant_, state.thickness, thickness_);
   if (!all_positive(surfactant_) || !all_positive(thickness_)) trial.outcome = Outcome::too_fast;
@@ -112,8 +115,10 @@ Diagnostics Stepper::cannot_go_on(const FilmState& state, double step_s, const T
   const std::string when = "the film stopped at " + format_number(state.time_s, 6) + " s: ";
   if (trial.outcome == Outcome::not_converged)
     return fail(Failure::content, when + "its elastic step did not converge in " +
-                                      std::to_string(desc_.step.most_iterations) +
-                                      " iterations; give a smaller step.longest_s or more step.most_iterations");
+                                      std::to_string(desc_.step.most_iterations) + " iterations, nor in steps of " +
+                                      format_number(step_s, 3) +
+                                      " s; give more step.most_iterations, a larger step.tolerance or a smaller "
+                                      "step.longest_s");
   return fail(Failure::content,
               when + "a step would be " + format_number(step_s, 3) +
                   " s, below step.shortest_s; slow down what drives it (air, gravity_m_s2, initial.swirl_m_s), raise "
@@ -121,13 +126,15 @@ Diagnostics Stepper::cannot_go_on(const FilmState& state, double step_s, const T
 }
 
 Status Stepper::step(FilmState& state, double step_s, double end_s) {
-  for (;;) {
+  for (int unsolved = 0;;) {
     const Trial trial = attempt(state, step_s);
     if (trial.outcome == Outcome::done) {
       finish(state, step_s, end_s, trial);
       return Done{};
     }
     ++state.frame.repeated;
+    if (trial.outcome == Outcome::not_converged && ++unsolved > most_unsolved)
+      return cannot_go_on(state, step_s, trial);
     step_s *= rash;
     end_s = state.time_s + step_s;
     if (!(step_s >= desc_.step.shortest_s)) return cannot_go_on(state, step_s, trial);

@@ -16,8 +16,8 @@ class Stepper {
   // As long a step as may be now, but not beyond `end_s`; several steps of equal length lead there.
   double step_towards(const FilmState& state, double end_s) const;
   // Replaces the state by the one `step_s` later, at `end_s`. Steps that turn out too long are made shorter, so the
-  // time afterwards may be earlier. Errors: it would be shorter than the shortest, or the solver does not converge; the
-  // state is then as before.
+  // time afterwards may be earlier. Errors: it would be shorter than the shortest, or the solver does not converge in
+  // shorter steps either; the state is then as before.
   Status step(FilmState& state, double step_s, double end_s);
 
   const Metric& metric() const { return metric_; }
