@@ -101,6 +101,15 @@ void Textures::warn_of_units(const ThicknessMapDesc& map, const math::Raster& pi
                                      format_number(largest, 3) + "; a picture of 0..1 needs 'low_nm' and 'high_nm'");
 }
 
+// Six square faces below each other are no picture that anyone lays over a surface.
+void Textures::warn_of_layout(const math::Raster& picture, const std::string& name, const Path& path) {
+  if (picture.height != film::face_count * picture.width || picture.width < 2) return;
+  problems_.add_warning(Path{&path, "layout"}, "'" + printable(name) + "' has " + size_text(picture) +
+                                                   ", six times as high as wide like the faces of a cube; expected "
+                                                   "layout: cube for those, and a picture twice as wide as high for "
+                                                   "latitude and longitude");
+}
+
 Textures::Raster Textures::frame_nm(const std::string& name, const ThicknessMapDesc& map, const Path& path) {
   const TextureFile* texture = file(name, path);
   if (texture == nullptr || problems_.has(path)) return nullptr;
@@ -132,14 +141,18 @@ std::variant<TexturePicture, std::shared_ptr<const film::SphereMap>> Textures::t
     }
     raster = mixture(*raster, *second, frames.share);
   }
-  if (raster == nullptr || !same_name(map.layout, "cube")) return TexturePicture{raster, map.repeat.u, map.repeat.v};
+  if (raster == nullptr) return TexturePicture{};
+  if (!same_name(map.layout, "cube")) {
+    warn_of_layout(*raster, frames.first, path);
+    return TexturePicture{raster, map.repeat.u, map.repeat.v};
+  }
   std::shared_ptr<const film::SphereMap>& cube = cubes_[raster];
   if (cube == nullptr) {
     Result<film::SphereMap> made = film::sphere_map(*raster);
     if (made)
       cube = std::make_shared<const film::SphereMap>(*std::move(made));
     else
-      problems_.add(Path{&path, "file"}, made.errors().front().message);
+      problems_.add(Path{&path, "file"}, "'" + printable(frames.first) + "': " + made.errors().front().message);
   }
   return cube;
 }

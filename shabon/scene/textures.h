@@ -36,6 +36,7 @@ class Textures {
   const TextureFile* file(const std::string& name, const Path& map);
   Raster frame_nm(const std::string& file, const ThicknessMapDesc& map, const Path& path);
   Raster scaled(const std::string& file, double low, double high, const FieldInfo& allowed, const Path& map);
+  void warn_of_layout(const math::Raster& picture, const std::string& file, const Path& path);
   void warn_of_units(const ThicknessMapDesc& map, const math::Raster& picture, const Path& path);
   Raster linear_rgb(const TextureFile& texture, const Path& map);
 

@@ -91,6 +91,7 @@ Result<TextureFile> textures(const std::string& file) {
   if (file == "dips.exr") return picture(3, {0, 0, 0.5f, 0.5f, 0.5f, 0.5f}, 2);
   if (file == "grow.0.exr") return picture(1, {300, 400});
   if (file == "grow.1.exr") return TextureFile{{1, 1, 1, {300}}};
+  if (file == "faces.exr") return TextureFile{{2, 12, 1, std::vector<float>(24, 300)}};
   if (file == "huge.exr") return picture(1, {300, 1e7f});
   if (file == "nan.exr") return picture(1, {1, std::nanf("")});
   if (file == "four_channels.exr") return picture(4, {0, 0, 0, 1, 0, 0, 0, 1});

@@ -120,8 +120,27 @@ TEST(ThicknessMaps, tell_what_is_wrong_with_a_frame) {
             "and 2 x 2 pixels in 'film.0009.exr'");
   EXPECT_EQ(message("file: none.#.exr", 1), "there is no none.24.exr");
   EXPECT_EQ(message("file: film.0.exr, layout: cube", 0),
-            "expected a picture six times as high as wide, the faces of a "
+            "'film.0.exr': expected a picture six times as high as wide, the faces of a "
             "cube below each other, got 4 x 2");
+}
+
+// The faces of a cube laid over latitude and longitude; other shapes are anyone's choice.
+TEST(ThicknessMaps, warn_of_a_cube_that_is_laid_flat) {
+  Folder folder;
+  const auto warnings = [&](const std::string& map) {
+    Diagnostics told;
+    const std::string text =
+        "shabon: 1\nenvironment: {constant: {}}\nobjects:\n  - bubble: {film: {medium: water, thickness: {map: {" +
+        map + "}}}}\n";
+    EXPECT_TRUE(load_scene(text, "test.yaml", {}, folder.resources(), &told).ok());
+    return told;
+  };
+  const Diagnostics flat = warnings("file: top.exr");
+  ASSERT_EQ(flat.size(), 1u);
+  for (const char* part : {"'top.exr' has 3 x 18 pixels", "expected layout: cube"})
+    EXPECT_NE(flat.front().message.find(part), std::string::npos) << flat.front().message;
+  EXPECT_TRUE(warnings("file: top.exr, layout: cube").empty());
+  EXPECT_TRUE(warnings("file: film.0.exr").empty());
 }
 
 TEST(Time, ages_the_films_of_a_scene) {
