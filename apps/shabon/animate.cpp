@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "command.h"
+#include "film_news.h"
+#include "frame_folder.h"
 #include "interrupt.h"
 #include "movie.h"
 #include "options.h"
@@ -67,10 +69,22 @@ Result<LoadedScene> loaded_at(const AnimateCommand& command, int frame, bool war
   return loaded;
 }
 
+// Everything that the frames of a folder have in common: the scene but for its time, and the flags that shape them.
+Result<KeyValues> shared_values(const AnimateCommand& command) {
+  const auto scene = scene_values(command.scene);
+  if (!scene) return scene.errors();
+  KeyValues values = {{"--fps", format_number(command.frames_per_second())},
+                      {"--start", format_number(command.start_s.value_or(0))},
+                      {"--exposure", format_number(command.exposure_ev.value_or(0))}};
+  for (const auto& [key, value] : *scene)
+    if (key != "time_s") values.emplace_back(key, value);
+  return values;
+}
+
 class Animation {
  public:
-  Animation(const AnimateCommand& command, const InterruptGuard& interrupt)
-      : command_(command), interrupt_(interrupt), bar_(command.quiet, "animating") {}
+  Animation(const AnimateCommand& command, KeyValues shared, const InterruptGuard& interrupt)
+      : command_(command), shared_(std::move(shared)), interrupt_(interrupt), bar_(command.quiet, "animating") {}
 
   int run() {
     int code = success;
@@ -86,12 +100,13 @@ class Animation {
   int one_frame() {
     auto loaded = loaded_at(command_, frame_, !running_);
     if (!loaded) return report(loaded.errors());
-    if (!running_) {
-      auto started = scene::RunningFilms::start(loaded->scene);
-      if (!started) return report(started.errors());
-      running_ = std::move(started).value();
-    }
+    if (!running_)
+      if (const Status started = start(loaded->scene); !started) return report(started.errors());
     const Status advanced = running_->advance_to(command_.time_of(frame_), &interrupt_.stop());
+    if (const Diagnostics news = running_->news(); !news.empty()) {
+      bar_.finish();
+      report(news);
+    }
     if (!advanced) return report(advanced.errors());
     if (interrupt_.interrupted()) return success;
     running_->show_in(loaded->scene);
@@ -115,14 +130,22 @@ class Animation {
     return success;
   }
 
+  // With the first frame that is made.
+  Status start(const scene::Scene& scene) {
+    auto started = scene::RunningFilms::start(scene);
+    if (!started) return started.errors();
+    running_ = std::move(started).value();
+    report(running_->forecast(command_.time_of(command_.last_frame())));
+    return write_key_values(fs::path(*command_.folder) / animation_name, shared_);
+  }
+
   int finish(int code) {
     const std::string folder = printable(*command_.folder);
     if (code != success || interrupt_.interrupted()) {
       if (running_) say(fmt::format("wrote {} frames in '{}'; --resume makes the others", rendered_, folder));
       return code != success ? code : interrupt_.exit_code();
     }
-    if (const auto broken = running_ ? running_->broken_s() : std::nullopt)
-      say(fmt::format("the film broke at {:.3f} s", *broken));
+    if (const auto broken = running_ ? running_->rupture() : std::nullopt) say(rupture_text(*broken));
     if (!command_.quiet) say(fmt::format("wrote {} frames in '{}'", rendered_, folder));
     if (!command_.movie) return success;
     const Status made =
@@ -134,6 +157,7 @@ class Animation {
   }
 
   const AnimateCommand& command_;
+  const KeyValues shared_;
   const InterruptGuard& interrupt_;
   ProgressBar bar_;
   std::optional<scene::RunningFilms> running_;
@@ -162,8 +186,14 @@ Status check(const AnimateCommand& command) {
 
 int run_animate(const AnimateCommand& command) {
   if (const Status checked = check(command); !checked) return report(checked.errors());
+  auto shared = shared_values(command);
+  if (!shared) return report(shared.errors());
+  Diagnostics warnings;
+  const Status same = check_frame_folder(*command.folder, *shared, warnings);
+  report(warnings);
+  if (!same) return report(same.errors());
   const InterruptGuard interrupt;
-  return Animation(command, interrupt).run();
+  return Animation(command, std::move(shared).value(), interrupt).run();
 }
 
 }  // namespace
@@ -186,11 +216,13 @@ Action declare_animate(CLI::App& app) {
   add_integer(app, "--threads", command->threads, 1, most_threads, "Threads; never changes the pictures [one a core]");
   add_number(app, "--exposure", command->exposure_ev, scene::exposure_range, "EV",
              "Brightens PNG pictures by 2^EV, on top of image.exposure_ev [0]");
-  app.add_flag("--resume", command->resume, "Leaves out frames that are there, and whole; the scene must be the same");
+  app.add_flag("--resume", command->resume,
+               "Leaves out frames that are there, and whole; the scene and its settings must be the same");
   app.add_flag("--quiet", command->quiet, "No progress; only warnings and errors");
   app.footer(
       R"(Frames are frame.0000.png and so on, each a picture of the scene at its time (time_s): films age, simulated films run,
-sequences of maps go on. An interrupted run keeps every finished frame.
+sequences of maps go on. An interrupted run keeps every finished frame. animation.csv beside them says what they show: frames of
+another scene, size or setting are not added to them.
 
 Examples:
   shabon animate scenes/draining-film/scene.yaml -o drain --seconds 10 --movie drain.mp4

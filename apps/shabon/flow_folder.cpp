@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <system_error>
-#include <tuple>
 
+#include "key_values.h"
 #include "shabon/base/text.h"
+#include "shabon/film/flow/listing.h"
 #include "shabon/io/csv.h"
 #include "shabon/io/file.h"
+#include "streams.h"
 
 namespace shabon::app {
 
@@ -18,22 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view settings_name = "simulation.csv";
+constexpr std::string_view film_name = "film.csv";
 constexpr std::string_view rows_name = "diagnostics.csv";
 constexpr std::string_view checkpoint_stem = "checkpoint", checkpoint_ending = ".bin";
 constexpr std::size_t most_checkpoint_bytes = std::size_t{1} << 32;
-
-std::vector<std::string> column_names() {
-  std::vector<std::string> names = {"frame"};
-  std::apply([&](const auto&... field) { (names.emplace_back(field.key), ...); }, film::fields(Of<film::FlowReport>{}));
-  return names;
-}
-
-std::vector<double> row_of(int frame, const film::FlowReport& report) {
-  std::vector<double> row = {static_cast<double>(frame)};
-  std::apply([&](const auto&... field) { (row.push_back(static_cast<double>(report.*field.member)), ...); },
-             film::fields(Of<film::FlowReport>{}));
-  return row;
-}
 
 // The number in "stem.0012.ending", when `name` is one of ours.
 std::optional<int> frame_of(const std::string& name) {
@@ -60,15 +51,16 @@ std::vector<int> checkpoint_frames(const fs::path& folder) {
 
 // One row of numbers: -1 for a range that is not given, 0 and 1 for kinds.
 std::string settings_text(const FlowSettings& settings) {
-  std::vector<std::string> names = {"frames_per_second", "checkpoint_every", "lat_long_width",
-                                    "cube_edge",         "png_low_nm",       "png_high_nm"};
+  std::vector<std::string> names = {"frames_per_second", "checkpoint_every", "lat_long_width",  "cube_edge",
+                                    "png_low_nm",        "png_high_nm",      "refractive_index"};
   const auto range = settings.maps.png_range_nm.value_or(std::array{-1.0, -1.0});
   std::vector<double> row = {settings.frames_per_second,
                              double(settings.checkpoint_every),
                              double(settings.maps.lat_long_width),
                              double(settings.maps.cube_edge),
                              range[0],
-                             range[1]};
+                             range[1],
+                             settings.maps.refractive_index};
   for (const FrameKind& kind : frame_kinds()) {
     names.emplace_back(kind.name);
     row.push_back(std::count(settings.kinds.begin(), settings.kinds.end(), &kind) > 0);
@@ -94,6 +86,7 @@ Result<FlowSettings> read_settings(const fs::path& path) {
   settings.maps.cube_edge = static_cast<int>(number("cube_edge"));
   const double low = number("png_low_nm"), high = number("png_high_nm");
   if (low >= 0) settings.maps.png_range_nm = {low, high};
+  if (table->column("refractive_index")) settings.maps.refractive_index = number("refractive_index");
   for (const FrameKind& kind : frame_kinds())
     if (number(kind.name) != 0) settings.kinds.push_back(&kind);
   if (!errors.empty()) return errors;
@@ -103,22 +96,52 @@ Result<FlowSettings> read_settings(const fs::path& path) {
   return settings;
 }
 
+Diagnostics flaw_of(const fs::path& file, Failure failure, const std::string& message) {
+  Diagnostics errors = fail(failure, message);
+  errors.front().source = file.string();
+  return errors;
+}
+
+// That the flow is the folder's film at the frame's time.
+Status belongs_here(const fs::path& folder, const fs::path& file, int frame, double frames_per_second,
+                    const film::FilmFlow& flow, Diagnostics& warnings) {
+  const fs::path film_file = folder / film_name;
+  std::error_code error;
+  if (fs::exists(film_file, error)) {
+    const auto film = read_key_values(film_file);
+    if (!film) return film.errors();
+    const auto difference =
+        first_difference(*film, "'" + printable(film_file.string()) + "'", film::listed(flow.desc()), "the checkpoint");
+    if (difference) return flaw_of(file, Failure::content, "is of another film: " + *difference);
+  } else {
+    warnings.push_back(
+        warning_of(fmt::format("there is no '{}' to compare the checkpoint with, as older versions left "
+                               "it; the run goes on with the film of the checkpoint",
+                               printable(film_file.string()))));
+    if (const Status written = write_key_values(film_file, film::listed(flow.desc())); !written) return written;
+  }
+  const double frame_s = frame / frames_per_second;
+  const bool late = flow.time_s() > frame_s + 1e-9, early = flow.time_s() < frame_s - 1e-9 && !flow.rupture();
+  if (late || early)
+    return flaw_of(file, Failure::content,
+                   fmt::format("expected the film at {} s, frame {}, got it at {} s", format_number(frame_s, 9), frame,
+                               format_number(flow.time_s(), 9)));
+  return Done{};
+}
+
 }  // namespace
 
-Result<FlowFolder> FlowFolder::begin(const fs::path& path, const FlowSettings& settings) {
+Result<FlowFolder> FlowFolder::begin(const fs::path& path, const FlowSettings& settings, const film::FlowDesc& film) {
   std::error_code error;
-  if (fs::exists(path / settings_name, error))
+  if (fs::exists(path / settings_name, error) && !checkpoint_frames(path).empty())
     return fail(Failure::usage, fmt::format("'{}' holds a simulation already: expected --resume to go on with it, or "
                                             "another folder",
                                             printable(path.string())));
   fs::create_directories(path, error);
-  if (error) {
-    Diagnostics errors = fail(Failure::file, "cannot make the folder: " + error.message());
-    errors.front().source = path.string();
-    return errors;
-  }
+  if (error) return flaw_of(path, Failure::file, "cannot make the folder: " + error.message());
   FlowFolder folder(path, settings);
   if (const Status written = folder.change(settings); !written) return written.errors();
+  if (const Status written = write_key_values(path / film_name, film::listed(film)); !written) return written.errors();
   return folder;
 }
 
@@ -127,25 +150,17 @@ Status FlowFolder::change(const FlowSettings& settings) {
   return write(std::string(settings_name), settings_text(settings));
 }
 
-Result<FlowFolder> FlowFolder::reopen(const fs::path& path) {
+Result<FlowFolder> FlowFolder::reopen(const fs::path& path, Diagnostics& warnings) {
   const auto settings = read_settings(path / settings_name);
   if (!settings) return settings.errors();
   FlowFolder folder(path, *settings);
-  std::error_code error;
-  if (!fs::exists(path / rows_name, error)) return folder;
-  const auto table = io::read_csv(path / rows_name);
-  if (!table) return table.errors();
-  folder.rows_.resize(table->rows.size());
-  for (const std::string& name : column_names()) {
-    const auto values = io::numbers(*table, name);
-    if (!values) return values.errors();
-    for (std::size_t i = 0; i < values->size(); ++i) folder.rows_[i].push_back((*values)[i]);
-  }
+  auto rows = FlowRows::read(path / rows_name, warnings);
+  if (!rows) return rows.errors();
+  folder.rows_ = std::move(rows).value();
   return folder;
 }
 
-Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame) {
-  if (!frame && !rows_.empty()) frame = static_cast<int>(rows_.back().front());
+Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame, Diagnostics& warnings) {
   const std::vector<int> frames = checkpoint_frames(path_);
   const auto after = std::upper_bound(frames.begin(), frames.end(), frame.value_or(std::numeric_limits<int>::max()));
   if (after == frames.begin())
@@ -156,19 +171,26 @@ Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame) {
   const auto bytes = io::read_file(file, most_checkpoint_bytes);
   if (!bytes) return bytes.errors();
   auto flow = film::FilmFlow::resume(std::as_bytes(std::span(*bytes)));
-  if (!flow) {
-    Diagnostics errors = flow.errors();
-    for (Diagnostic& flaw : errors) flaw.source = file.string();
+  Diagnostics errors = flow ? Diagnostics{} : flow.errors();
+  for (Diagnostic& flaw : errors) flaw.source = file.string();
+  if (flow)
+    if (const Status ours = belongs_here(path_, file, *found, settings_.frames_per_second, *flow, warnings); !ours)
+      errors = ours.errors();
+  if (!errors.empty()) {
     if (found != frames.begin())
       errors.back().message += fmt::format("; --resume-from {} takes the checkpoint before it", *std::prev(found));
     return errors;
   }
   forget_after(*found);
+  rows_.put(*found, flow->report());  // as it was written, should it be lost
+  if (const auto missing = rows_.missing_until(*found))
+    warnings.push_back(warning_of(fmt::format("'{}' lacks the rows of frames {}, which are lost; the run goes on",
+                                              printable((path_ / rows_name).string()), *missing)));
   return Start{std::move(flow).value(), *found};
 }
 
 void FlowFolder::forget_after(int frame) {
-  std::erase_if(rows_, [&](const std::vector<double>& row) { return row.front() > frame; });
+  rows_.forget_after(frame);
   std::vector<fs::path> later;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(path_, error))
@@ -178,20 +200,18 @@ void FlowFolder::forget_after(int frame) {
 }
 
 Status FlowFolder::add_row(int frame, const film::FlowReport& report) {
-  rows_.push_back(row_of(frame, report));
-  return write_rows();
-}
-
-Status FlowFolder::write_rows() {
-  const std::vector<std::string> names = column_names();
-  io::CsvWriter table(names);
-  for (const std::vector<double>& row : rows_) table.row(row);
-  return write(std::string(rows_name), table.text());
+  rows_.put(frame, report);
+  return write(std::string(rows_name), rows_.text());
 }
 
 Status FlowFolder::write_checkpoint(int frame, const std::vector<std::byte>& bytes) {
   return write(frame_name(checkpoint_stem, frame, checkpoint_ending),
                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+std::optional<int> FlowFolder::last_checkpoint() const {
+  const std::vector<int> frames = checkpoint_frames(path_);
+  return frames.empty() ? std::nullopt : std::optional(frames.back());
 }
 
 Status FlowFolder::write(const std::string& name, std::string_view bytes) {

@@ -1,4 +1,5 @@
-// The folder of a simulation: its settings, one row of diagnostics a frame, and checkpoints to go on from.
+// The folder of a simulation: its settings (simulation.csv), its film (film.csv), one row of diagnostics a frame, and
+// checkpoints to go on from.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "flow_frame.h"
+#include "flow_rows.h"
 #include "shabon/base/result.h"
 #include "shabon/film/flow/flow.h"
 
@@ -22,12 +24,14 @@ struct FlowSettings {
 
 class FlowFolder {
  public:
-  // A folder that holds no simulation yet; it is made where it is missing. Errors: Failure::usage when it holds one,
-  // Failure::file when it cannot be made or written.
-  static Result<FlowFolder> begin(const std::filesystem::path& path, const FlowSettings& settings);
+  // A folder that holds no simulation to go on with yet; it is made where it is missing. Errors: Failure::usage when it
+  // holds one, Failure::file when it cannot be made or written.
+  static Result<FlowFolder> begin(const std::filesystem::path& path, const FlowSettings& settings,
+                                  const film::FlowDesc& film);
 
-  // A simulation to go on with. Errors: Failure::file, Failure::content when its files are damaged.
-  static Result<FlowFolder> reopen(const std::filesystem::path& path);
+  // A simulation to go on with. Errors: Failure::file, Failure::content when its files are damaged; what the run can go
+  // on without is a warning.
+  static Result<FlowFolder> reopen(const std::filesystem::path& path, Diagnostics& warnings);
 
   const FlowSettings& settings() const { return settings_; }
   // Errors as write().
@@ -37,25 +41,26 @@ class FlowFolder {
     film::FilmFlow flow;
     int frame;
   };
-  // The flow at the last checkpoint at or before `frame` (none: the last that diagnostics.csv knows). Rows and files of
-  // later frames are forgotten. Errors: Failure::content when there is none or it is damaged.
-  Result<Start> latest(std::optional<int> frame);
+  // The flow at the last checkpoint at or before `frame` (none: the last). Rows and files of later frames are
+  // forgotten; rows that are missing before are a warning. Errors: Failure::content when there is none, or it is
+  // damaged, of another film or of another frame.
+  Result<Start> latest(std::optional<int> frame, Diagnostics& warnings);
 
   // Adds the row of a frame. Everything is on disk when it returns.
   Status add_row(int frame, const film::FlowReport& report);
   Status write_checkpoint(int frame, const std::vector<std::byte>& bytes);
+  std::optional<int> last_checkpoint() const;  // its frame
   Status write(const std::string& name, std::string_view bytes);
   const std::filesystem::path& path() const { return path_; }
 
  private:
   FlowFolder(std::filesystem::path path, FlowSettings settings)
       : path_(std::move(path)), settings_(std::move(settings)) {}
-  Status write_rows();
   void forget_after(int frame);
 
   std::filesystem::path path_;
   FlowSettings settings_;
-  std::vector<std::vector<double>> rows_;  // frame first
+  FlowRows rows_;
 };
 
 }  // namespace shabon::app

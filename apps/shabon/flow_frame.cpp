@@ -50,7 +50,7 @@ Files gltf_files(const film::FilmFlow& flow, const FrameMaps& maps, int frame, c
   Files files = one_file(picture, io::encode_png16(width, width / 2, grey, told));
   if (!files) return files;
   JsonObject extension;
-  extension.add("iridescenceFactor", 1).add("iridescenceIor", 1.33);
+  extension.add("iridescenceFactor", 1).add("iridescenceIor", maps.sizes().refractive_index);
   extension.add("iridescenceThicknessMinimum", range[0]).add("iridescenceThicknessMaximum", range[1]);
   extension.add_json("iridescenceThicknessTexture", JsonObject().add("index", 0).line());
   JsonObject json;
@@ -86,7 +86,7 @@ Files vtk_files(const film::FilmFlow& flow, const FrameMaps&, int frame, const i
 constexpr FrameKind kinds[] = {
     {"lat-long", "latitude-longitude EXR in nm", lat_long_files},
     {"cube", "cube map EXR in nm", cube_files},
-    {"gltf", "16-bit PNG and its range, for glTF's iridescence", gltf_files},
+    {"gltf", "16-bit PNG and its range, for glTF's iridescence", gltf_files, true},
     {"ply", "mesh with thickness, speed and surfactant, for Blender", ply_files},
     {"vtk", "the same for ParaView", vtk_files},
 };

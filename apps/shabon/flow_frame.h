@@ -15,10 +15,12 @@
 
 namespace shabon::app {
 
+// And what the numbers in them mean.
 struct MapSizes {
   int lat_long_width = 1024;                               // twice its height
   int cube_edge = 256;                                     // nodes along an edge of a face
   std::optional<std::array<double, 2>> png_range_nm = {};  // none: from the thinnest to the thickest of each frame
+  double refractive_index = 1.33;                          // of the film's liquid, for glTF
 };
 
 // Where the pictures' pixels lie on the grid, found once for all frames.
@@ -48,6 +50,7 @@ struct FrameKind {
   std::string_view content;
   Result<std::vector<FrameFile>> (*files)(const film::FilmFlow& flow, const FrameMaps& maps, int frame,
                                           const io::Metadata& metadata);
+  bool clips = false;  // to MapSizes::png_range_nm
 };
 
 // The closed set.

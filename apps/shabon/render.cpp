@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command.h"
+#include "film_news.h"
 #include "interrupt.h"
 #include "options.h"
 #include "picture_files.h"
@@ -75,8 +76,17 @@ int write_outputs(const RenderCommand& command, const std::vector<PictureFile>& 
 }
 
 Status run_films(scene::Scene& scene, bool quiet, const StopFlag& stop) {
+  auto films = scene::RunningFilms::start(scene);
+  if (!films) return films.errors();
+  report(films->forecast(scene.time_s));
   ProgressBar bar(quiet, "simulating");
-  return scene::run_films(scene, &stop, [&bar](double done) { bar.update(done); });
+  const Status done = films->advance_to(scene.time_s, &stop, [&bar](double share) { bar.update(share); });
+  bar.finish();
+  report(films->news());
+  if (!done) return done;
+  if (const auto broken = films->rupture()) say(rupture_text(*broken));
+  films->show_in(scene);
+  return Done{};
 }
 
 int run_render(const RenderCommand& command) {

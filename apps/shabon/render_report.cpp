@@ -5,6 +5,7 @@
 #include "json.h"
 #include "shabon/api/version.h"
 #include "shabon/optics/interference.h"
+#include "streams.h"
 
 namespace shabon::app {
 
@@ -41,13 +42,6 @@ std::string stats_json(const LoadedScene& loaded, const render::RenderReport& do
 }
 
 namespace {
-
-Diagnostic warning_of(std::string message) {
-  Diagnostic warning;
-  warning.severity = Severity::warning;
-  warning.message = std::move(message);
-  return warning;
-}
 
 bool is_black(const render::Sensor& sensor) {
   for (int y = 0; y < sensor.height(); ++y)

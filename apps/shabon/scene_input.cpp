@@ -12,6 +12,7 @@
 #include "shabon/optics/interference.h"
 #include "shabon/scene/built_in.h"
 #include "shabon/scene/compile.h"
+#include "shabon/scene/scene_values.h"
 #include "shabon/scene/schema_fields.h"
 #include "streams.h"
 
@@ -35,6 +36,24 @@ void read_size(SceneInput& input, const std::string& text) {
     usage_error(option, fmt::format("expected at most 2^28 pixels, got {}", width * height));
   input.flags.push_back(fmt::format("image.width={}", width));
   input.flags.push_back(fmt::format("image.height={}", height));
+}
+
+struct SceneText {
+  std::string text, name;
+};
+
+Result<SceneText> text_of(const SceneInput& input) {
+  if (!input.file) return SceneText{std::string(scene::built_in_scene()), std::string(scene::built_in_source)};
+  Result<std::string> content = io::read_text_file(*input.file, io::yaml_max_bytes);
+  if (!content) return content.errors();
+  return SceneText{*std::move(content), *input.file};
+}
+
+// In the order in which they win.
+std::vector<std::string> overrides_of(const SceneInput& input) {
+  std::vector<std::string> overrides = input.overrides;
+  overrides.insert(overrides.end(), input.flags.begin(), input.flags.end());
+  return overrides;
 }
 
 }  // namespace
@@ -75,26 +94,28 @@ void add_scene_integer(CLI::App& app, SceneInput& input, const std::string& name
 }
 
 Result<LoadedScene> load(const SceneInput& input, scene::CameraUse camera) {
-  std::string text(scene::built_in_scene()), name(scene::built_in_source);
+  auto read = text_of(input);
+  if (!read) return read.errors();
+  auto& [text, name] = *read;
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files_read;
   if (input.file) {
-    Result<std::string> content = io::read_text_file(*input.file, io::yaml_max_bytes);
-    if (!content) return content.errors();
-    text = *std::move(content);
-    name = *input.file;
     folder = std::filesystem::path(name).parent_path();
     files_read.push_back(name);
   }
-  std::vector<std::string> overrides = input.overrides;
-  overrides.insert(overrides.end(), input.flags.begin(), input.flags.end());
   const auto note = [&files_read](const std::filesystem::path& file) { files_read.push_back(file); };
   Diagnostics warnings;
   Result<scene::Scene> scene =
-      scene::load_scene(text, name, overrides, api::file_resources(folder, note), &warnings, camera);
+      scene::load_scene(text, name, overrides_of(input), api::file_resources(folder, note), &warnings, camera);
   if (input.warn) report(warnings);
   if (!scene) return scene.errors();
   return LoadedScene{*std::move(scene), std::move(name), std::move(files_read)};
+}
+
+Result<std::vector<std::pair<std::string, std::string>>> scene_values(const SceneInput& input) {
+  const auto read = text_of(input);
+  if (!read) return read.errors();
+  return scene::scene_values(read->text, read->name, overrides_of(input));
 }
 
 }  // namespace shabon::app

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shabon/base/field.h"
@@ -40,5 +41,8 @@ struct LoadedScene {
 
 // Reads and compiles the scene; files it names are found beside it. Prints warnings.
 Result<LoadedScene> load(const SceneInput& input, scene::CameraUse camera = scene::CameraUse::takes_pictures);
+
+// Every value of the scene by its path, flags included, as scene::scene_values().
+Result<std::vector<std::pair<std::string, std::string>>> scene_values(const SceneInput& input);
 
 }  // namespace shabon::app

@@ -5,12 +5,16 @@
 #include <memory>
 
 #include "command.h"
+#include "film_news.h"
 #include "flow_folder.h"
 #include "flow_frame.h"
 #include "interrupt.h"
 #include "options.h"
+#include "png_clipping.h"
 #include "progress_bar.h"
+#include "shabon/api/resolvers.h"
 #include "shabon/api/version.h"
+#include "shabon/film/flow/dryness.h"
 #include "shabon/film/flow/presets.h"
 #include "shabon/io/file.h"
 #include "shabon/io/yaml.h"
@@ -24,9 +28,11 @@ namespace {
 constexpr Range seconds_range{.low = 0, .high = 1e5, .low_open = true};
 constexpr Range rate_range{.low = 0.01, .high = 1e5};
 constexpr int most_frames = 1000000;
+constexpr double gltf_wavelength_nm = 587.6;  // the d line of helium, at which indices are commonly given
+constexpr const char* usual_medium = "soap";
 
 struct SimulateCommand {
-  std::optional<std::string> file, preset, folder;
+  std::optional<std::string> file, preset, folder, medium;
   std::vector<std::string> overrides, kinds;
   std::optional<double> seconds, rate;
   std::optional<long long> checkpoint_every, resume_frame, lat_long_width, cube_edge;
@@ -34,6 +40,7 @@ struct SimulateCommand {
   bool resume = false, quiet = false;
 
   bool goes_on() const { return resume || resume_frame; }
+  double seconds_asked() const { return seconds.value_or(10); }
 };
 
 Result<film::FlowDesc> description(const SimulateCommand& command) {
@@ -75,6 +82,11 @@ Result<FlowSettings> settings_of(const SimulateCommand& command, FlowSettings se
   if (command.checkpoint_every) settings.checkpoint_every = static_cast<int>(*command.checkpoint_every);
   if (command.lat_long_width) settings.maps.lat_long_width = static_cast<int>(*command.lat_long_width) / 2 * 2;
   if (command.cube_edge) settings.maps.cube_edge = static_cast<int>(*command.cube_edge);
+  if (command.medium) {
+    const auto medium = optics::parse_medium(*command.medium, api::medium_resolver());
+    if (!medium) return medium.errors();
+    settings.maps.refractive_index = std::round(medium->index(gltf_wavelength_nm).real() * 1e4) / 1e4;
+  }
   if (command.png_range.size() == 2) settings.maps.png_range_nm = {command.png_range[0], command.png_range[1]};
   return settings;
 }
@@ -90,19 +102,21 @@ class Run {
         frame_(frame),
         first_(frame),
         interrupt_(interrupt),
-        maps_(flow_, folder_.settings().maps) {}
+        maps_(flow_, folder_.settings().maps),
+        bar_(command.quiet, "simulating") {}
 
   // Writes the present frame, too, when it is the first.
   int go_on() {
     const double rate = folder_.settings().frames_per_second;
-    const int last = static_cast<int>(std::floor(command_.seconds.value_or(10) * rate + 1e-9));
-    ProgressBar bar(command_.quiet, "simulating");
+    const int last = static_cast<int>(std::floor(command_.seconds_asked() * rate + 1e-9));
+    if (const auto why = film::why_dry_before(flow_.desc(), last / rate); why && frame_ < last) tell_dry(*why);
     Status done = frame_ == 0 ? write_frame(true) : Status(Done{});
+    complete_ = frame_ > 0 || done;
     while (done && frame_ < last && !interrupt_.interrupted() && !flow_.rupture()) {
       done = step();
-      bar.update(double(frame_ - first_) / std::max(last - first_, 1));
+      bar_.update(double(frame_ - first_) / std::max(last - first_, 1));
     }
-    bar.finish();
+    bar_.finish();
     return finish(done);
   }
 
@@ -115,11 +129,19 @@ class Run {
     if (!advanced || interrupt_.interrupted()) return advanced;
     ++frame_;
     const Status written = write_frame(frame_ % folder_.settings().checkpoint_every == 0);
-    if (written)
-      checkpoint_.clear();
-    else
+    if (!written) {
       --frame_;
+      return written;
+    }
+    checkpoint_.clear();
+    if (const auto why = told_dry_ ? std::nullopt : film::why_dry(flow_)) tell_dry(*why);
     return written;
+  }
+
+  void tell_dry(const std::string& why) {
+    bar_.finish();
+    report({warning_of(why)});
+    told_dry_ = true;
   }
 
   Status write_frame(bool with_checkpoint) {
@@ -130,6 +152,7 @@ class Run {
     for (const FrameKind* kind : folder_.settings().kinds) {
       const auto files = kind->files(flow_, maps_, frame_, metadata);
       if (!files) return files.errors();
+      clipping_.add(*kind, flow_, folder_.settings().maps);
       for (const FrameFile& file : *files)
         if (const Status written = folder_.write(file.name, file.bytes); !written) return written;
     }
@@ -142,21 +165,29 @@ class Run {
   int finish(const Status& done) {
     int code = done ? success : report(done.errors());
     const std::vector<std::byte> last = checkpoint_.empty() ? flow_.checkpoint() : checkpoint_;
-    const Status kept = folder_.write_checkpoint(frame_, last);
+    const Status kept = complete_ ? folder_.write_checkpoint(frame_, last) : Status(Done{});
     if (!kept && done) code = report(kept.errors());
     const std::string place = printable(folder_.path().string());
-    if (const auto broken = flow_.rupture(); broken && done)
-      say(fmt::format(
-          "the film broke at {:.3f} s, where it was thinner than {:.1f} nm, in the direction {:.3f} {:.3f} {:.3f}",
-          broken->time_s, broken->threshold_nm, broken->from_centre.x, broken->from_centre.y, broken->from_centre.z));
-    if (!done || interrupt_.interrupted())
-      say(fmt::format("frames 0 to {} are complete in '{}'{}", frame_, place,
-                      code == static_cast<int>(Failure::content) ? "" : "; --resume goes on from there"));
+    if (const auto broken = flow_.rupture(); broken && done) say(rupture_text(*broken));
+    report(clipping_.warnings());
+    if (!done || !kept || interrupt_.interrupted())
+      say(how_far(place, code));
     else if (frame_ == first_ && first_ > 0)
       say(fmt::format("frame {} is there already; nothing is written", frame_));
     else if (!command_.quiet)
       say(fmt::format("wrote frames {} to {} in '{}'", first_ == 0 ? 0 : first_ + 1, frame_, place));
     return code == success && interrupt_.interrupted() ? interrupt_.exit_code() : code;
+  }
+
+  // What is there of a run that stopped.
+  std::string how_far(const std::string& place, int code) const {
+    if (!complete_) return fmt::format("no frame is complete in '{}'", place);
+    const auto from = folder_.last_checkpoint();
+    std::string text = fmt::format("frames 0 to {} are complete in '{}'", frame_, place);
+    if (code == static_cast<int>(Failure::content)) return text;  // it would stop there again
+    if (!from) return text + ", without a checkpoint to go on from";
+    return text +
+           (*from == frame_ ? "; --resume goes on from there" : fmt::format("; --resume goes on from frame {}", *from));
   }
 
   const SimulateCommand& command_;
@@ -165,32 +196,39 @@ class Run {
   int frame_, first_;
   const InterruptGuard& interrupt_;
   FrameMaps maps_;
-  std::vector<std::byte> checkpoint_;  // of the last frame, while the next is on its way
+  PngClipping clipping_;
+  ProgressBar bar_;
+  bool told_dry_ = false, complete_ = false;  // complete: the first frame at least
+  std::vector<std::byte> checkpoint_;         // of the last frame, while the next is on its way
 };
 
 int start_anew(const SimulateCommand& command) {
   FlowSettings usual;
   usual.kinds = {&frame_kinds()[0], &frame_kinds()[1]};
-  const auto settings = settings_of(command, usual);
+  SimulateCommand asked = command;
+  if (!asked.medium) asked.medium = usual_medium;
+  const auto settings = settings_of(asked, usual);
   if (!settings) return report(settings.errors());
   const InterruptGuard interrupt;
   const auto desc = description(command);
   if (!desc) return report(desc.errors());
   auto flow = film::FilmFlow::start(*desc);
   if (!flow) return report(flow.errors());
-  const auto folder = FlowFolder::begin(*command.folder, *settings);
+  const auto folder = FlowFolder::begin(*command.folder, *settings, *desc);
   if (!folder) return report(folder.errors());
   return Run(command, *folder, std::move(flow).value(), 0, interrupt).go_on();
 }
 
 int start_again(const SimulateCommand& command) {
   const InterruptGuard interrupt;
-  auto folder = FlowFolder::reopen(*command.folder);
+  Diagnostics warnings;
+  auto folder = FlowFolder::reopen(*command.folder, warnings);
   if (!folder) return report(folder.errors());
   const auto settings = settings_of(command, folder->settings());
   if (!settings) return report(settings.errors());
   const auto wanted = command.resume_frame ? std::optional<int>(int(*command.resume_frame)) : std::nullopt;
-  auto start = folder->latest(wanted);
+  auto start = folder->latest(wanted, warnings);
+  report(warnings);
   if (!start) return report(start.errors());
   if (const Status changed = folder->change(*settings); !changed) return report(changed.errors());
   if (!command.quiet) say(fmt::format("going on from frame {}", start->frame));
@@ -239,6 +277,9 @@ Action declare_simulate(CLI::App& app) {
   add_integer(app, "--cube-edge", command->cube_edge, 2, most_side / 4, "Pixels along the edge of a face [256]");
   add_tuple(app, "--png-range", command->png_range, 2, "LOW HIGH",
             "Thickness in nm of black and white in the 16-bit PNG [that of each frame]");
+  add_text(
+      app, "--medium", command->medium, "MEDIUM",
+      fmt::format("Liquid whose index stands in the glTF block: a name, an index or file:PATH [{}]", usual_medium));
   add_integer(app, "--checkpoint-every", command->checkpoint_every, 1, most_frames,
               "Frames from one checkpoint to the next; there is one of the last frame, too [10]");
   app.add_flag("--resume", command->resume, "Go on from the last frame in the folder");

@@ -50,6 +50,13 @@ int report(const Diagnostics& diagnostics) {
   return success;
 }
 
+Diagnostic warning_of(std::string message) {
+  Diagnostic warning;
+  warning.severity = Severity::warning;
+  warning.message = std::move(message);
+  return warning;
+}
+
 bool is_terminal_output() { return ::isatty(STDOUT_FILENO) == 1; }
 bool is_terminal_message() { return ::isatty(STDERR_FILENO) == 1; }
 

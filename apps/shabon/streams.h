@@ -1,6 +1,7 @@
 // Standard output carries results, standard error carries messages. Both are written here and nowhere else.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "shabon/base/result.h"
@@ -22,6 +23,8 @@ void say(std::string_view line);
 
 // Prints the problems on standard error and returns the exit code of the first error, 0 when all are warnings.
 int report(const Diagnostics& diagnostics);
+
+Diagnostic warning_of(std::string message);
 
 bool is_terminal_output();   // standard output
 bool is_terminal_message();  // standard error

@@ -1,6 +1,9 @@
 // The simulated films of a scene, as they run from one picture to the next.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "shabon/base/progress.h"
@@ -16,7 +19,8 @@ class RunningFilms {
   // All simulated films of the scene, at their time 0. Errors as FilmFlow::start().
   static Result<RunningFilms> start(const Scene& scene);
 
-  // Runs every film on to that time; earlier times change nothing. `progress` is told the share of that time that is
+  // Runs every film on to that time; earlier times change nothing. What a film is then does not depend on the times
+  // asked for before. `progress` is told the share of that time that is
   // done. Errors as FilmFlow::advance_to().
   Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
 
@@ -24,16 +28,26 @@ class RunningFilms {
   // time; a film that broke has the hole of the scene's time.
   void show_in(Scene& scene) const;
 
-  // When the first film broke, if one did.
-  std::optional<double> broken_s() const;
+  // The film that broke first, if one did.
+  std::optional<film::FilmFlow::Rupture> rupture() const;
+
+  // Warnings: films that will be dry by then, and films that became dry since the last call (film/flow/dryness.h). Of
+  // each film one of the two, once.
+  Diagnostics forecast(double until_s);
+  Diagnostics news();
 
  private:
   struct Running {
     film::FilmFlow flow;
     film::FlowBake bake;
     int map_size;
+    std::vector<std::byte> pause = {};  // where to go on from, after a look at a moment between two pauses
+    bool told_dry = false;
   };
+  static Status return_to_pause(Running& running);
+  void tell_dry(std::size_t film, const std::optional<std::string>& why, Diagnostics& told);
   std::vector<Running> films_;  // in the order of the scene's simulated films
+  Diagnostics news_;
 };
 
 // Runs every simulated film of the scene to the scene's time and shows it there. Errors as above.

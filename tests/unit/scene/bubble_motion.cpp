@@ -173,7 +173,7 @@ Run run(const std::string& bubble, double later_s) {
   auto flow = film::FilmFlow::start(*scene.films.at(0).flow);
   EXPECT_TRUE(flow->advance_to(0.5).ok());
   Run result{std::move(scene), {}};
-  if (films->broken_s()) result.rupture = *flow->rupture(), result.rupture.time_s = *films->broken_s();
+  if (films->rupture()) result.rupture = *flow->rupture(), result.rupture.time_s = films->rupture()->time_s;
   result.scene.time_s = result.rupture.time_s + later_s;
   films->show_in(result.scene);
   return result;
@@ -193,6 +193,24 @@ TEST(Popping, opens_a_simulated_film_where_it_broke) {
     EXPECT_NEAR(math::length(holed.axis - math::normalize(rupture.from_centre)), 0, 1e-12);
     EXPECT_FALSE(has_idle_film(scene));
   }
+}
+
+// Looks at moments between its pauses, or none: the film is the same afterwards, to the last bit.
+TEST(RunningFilms, do_not_depend_on_who_looks_on) {
+  const std::string bubble =
+      "film: {medium: water, thickness: {flow: {level: 2, initial: {noise: 0.3, swirl_m_s: 0.4}, evaporation: {}}}}";
+  const auto map_at = [&](const std::vector<double>& times_s) {
+    Scene scene = loaded(bubble, times_s.back());
+    auto films = RunningFilms::start(scene);
+    EXPECT_TRUE(films.ok());
+    for (const double time_s : times_s) EXPECT_TRUE(films->advance_to(time_s).ok());
+    films->show_in(scene);
+    return std::get<std::shared_ptr<const film::SphereMap>>(scene.films.at(0).thickness)->nm;
+  };
+  const auto alone = map_at({0.55});
+  EXPECT_EQ(map_at({0.1, 0.2, 0.3, 0.4, 0.5, 0.55}), alone);
+  EXPECT_EQ(map_at({0.04, 0.13, 0.52, 0.53, 0.55}), alone);
+  EXPECT_NE(map_at({0.54}), alone);
 }
 
 TEST(Popping, leaves_nothing_of_a_simulated_film) {
