@@ -123,6 +123,14 @@ bool share_a_piece(const Cylinder&, const PlacedShape& a, const PlacedShape& b) 
   return std::abs(m.origin.y) - slant < 1 + std::abs(m.y.y) - tolerance;
 }
 
+bool share_a_piece(const Torus& torus, const PlacedShape& a, const PlacedShape& b) {
+  const Affine m = seen_from(a, b);
+  const auto flat_dot = [](Vec3d p, Vec3d q) { return p.x * q.x + p.z * q.z; };
+  return is_zero(torus.tube - std::get<Torus>(b.shape).tube) && is_zero(math::length(m.origin)) &&
+         is_one(std::abs(m.y.y)) && is_zero(m.y.x) && is_zero(m.y.z) && is_zero(m.x.y) && is_zero(m.z.y) &&
+         is_one(flat_dot(m.x, m.x)) && is_one(flat_dot(m.z, m.z)) && is_zero(flat_dot(m.x, m.z));
+}
+
 // Copies only: lobes that make the same surface otherwise are not looked for.
 bool share_a_piece(const LobedSphere& lobed, const PlacedShape& a, const PlacedShape& b) {
   const Affine m = seen_from(a, b);

@@ -10,12 +10,13 @@
 #include "shabon/geometry/shapes/lobed_sphere.h"
 #include "shabon/geometry/shapes/quad.h"
 #include "shabon/geometry/shapes/sphere.h"
+#include "shabon/geometry/shapes/torus.h"
 #include "shabon/geometry/shapes/triangle.h"
 
 namespace shabon::geometry {
 
 // The list. A new shape is one file in shapes/ with the functions that shapes/canonical.h names.
-using Shape = std::variant<SphereCap, Quad, Disk, Cylinder, Triangle, LobedSphere>;
+using Shape = std::variant<SphereCap, Quad, Disk, Cylinder, Triangle, Torus, LobedSphere>;
 
 struct Box {
   math::Vec3d low, high;

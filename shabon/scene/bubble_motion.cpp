@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "shabon/base/text.h"
+#include "shabon/math/normal_to.h"
+#include "shabon/scene/compile_surfaces.h"
 #include "shabon/scene/value.h"
 
 namespace shabon::scene {
@@ -93,11 +96,47 @@ bool check_popping(const Film& film, const Path& path, Problems& problems) {
   return false;
 }
 
-void open_hole(Film& film, const film::Hole& hole, const math::Vec3d& from_centre) {
+void open_hole(Film& film, const film::Hole& hole, const film::BubbleBody& body, const math::Vec3d& from_centre) {
   if (!(hole.angle_rad > 0)) return;
   constexpr double gone = -2;  // below all cosines
-  const double cos_hole = hole.angle_rad < std::numbers::pi ? std::cos(hole.angle_rad) : gone;
-  film.thickness = film::HoledFilm{film::HeldField{film.thickness}, math::normalize(from_centre), cos_hole};
+  const bool left = hole.angle_rad < std::numbers::pi;
+  const math::Vec3d axis = math::normalize(from_centre);
+  film.thickness = film::HoledFilm{film::HeldField{film.thickness}, axis, left ? std::cos(hole.angle_rad) : gone};
+  if (left) film.rim = Rim{axis, hole.angle_rad, hole.rim_radius_m / body.radius_m};
+}
+
+namespace {
+
+// The rim's middle line lies on the sphere, within the hole, so that the rim touches the film from there.
+std::optional<geometry::PlacedShape> shape_of(const Rim& rim, const Sphere& bubble) {
+  const double angle = rim.angle_rad - 2 * std::asin(std::min(rim.thickness / 2, 1.0));
+  const double ring = std::sin(angle);
+  if (!(angle > 0 && rim.thickness > 0 && rim.thickness < ring)) return {};
+  const double size = bubble.radius * ring;
+  const math::Vec3d x = math::any_normal_to(rim.axis), z = math::cross(x, rim.axis);
+  const geometry::Affine place{x * size, rim.axis * size, z * size,
+                               bubble.center + rim.axis * (bubble.radius * std::cos(angle))};
+  return geometry::place(geometry::Torus{rim.thickness / ring}, place);
+}
+
+Surface surface_of(const optics::Medium& space, const optics::Medium& liquid) {
+  const Coating coating{.stack = {space, {}, liquid}, .varied = {}};
+  if (is_transparent(liquid)) return DielectricSurface{.coating = coating, .roughness = {}};
+  return ConductorSurface{.coating = coating, .roughness = {}};
+}
+
+}  // namespace
+
+void add_rims(Scene& scene) {
+  for (const Sphere& bubble : scene.spheres)
+    for (int i = bubble.first_film; i < bubble.first_film + bubble.film_count; ++i) {
+      Film& film = scene.films[static_cast<std::size_t>(i)];
+      const auto rim = std::exchange(film.rim, {});
+      const auto shape = rim ? shape_of(*rim, bubble) : std::nullopt;
+      if (!shape) continue;
+      scene.surfaces.push_back(surface_of(scene.medium, film.layers.front().medium));
+      scene.objects.push_back({*shape, static_cast<int>(scene.surfaces.size()) - 1, bubble.place_in_file});
+    }
 }
 
 std::optional<Bursting> bursting_of(const BubbleDesc& bubble, const Film& film, film::BubbleBody body) {

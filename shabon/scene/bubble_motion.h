@@ -21,8 +21,11 @@ geometry::LobedSphere trembling(const std::vector<film::ShapeMode>& modes, const
 bool check_modes(const std::vector<film::ShapeMode>& modes, const film::BubbleBody& body, const Path& path,
                  Problems& problems);
 
-// Opens the hole in the film: all of it within is gone.
-void open_hole(Film& film, const film::Hole& hole, const math::Vec3d& from_centre);
+// Opens the hole in the film: all of it within is gone, and is in the rim.
+void open_hole(Film& film, const film::Hole& hole, const film::BubbleBody& body, const math::Vec3d& from_centre);
+
+// Gives the open films of round bubbles their rims, as rings of the films' liquid: once.
+void add_rims(Scene& scene);
 
 // How a simulated film bursts, if it does. The body is that of body_of().
 std::optional<Bursting> bursting_of(const BubbleDesc& bubble, const Film& film, film::BubbleBody body);

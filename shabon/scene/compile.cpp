@@ -4,6 +4,7 @@
 #include <new>
 
 #include "shabon/base/text.h"
+#include "shabon/scene/bubble_motion.h"
 #include "shabon/scene/compile_camera.h"
 #include "shabon/scene/compile_environment.h"
 #include "shabon/scene/compile_objects.h"
@@ -69,6 +70,7 @@ Result<Scene> compile_with(const SceneDesc& description, const Resources& resour
   if (camera == CameraUse::takes_pictures)
     compiler.check_camera(description.objects, objects, description.camera.position);
   if (!problems.empty()) return problems.errors();
+  add_rims(scene);
   scene.environment.channels = std::move(lamps.spectra);
   if (!shines(scene))
     problems.add_warning(environment,

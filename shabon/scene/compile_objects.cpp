@@ -53,6 +53,7 @@ std::array<double, 14> identity_of(const geometry::PlacedShape& placed) {
   if (const auto* disk = std::get_if<geometry::Disk>(&placed.shape)) parameter = disk->hole;
   if (const auto* lobed = std::get_if<geometry::LobedSphere>(&placed.shape))
     parameter = geometry::radius_at(*lobed, {0.48, 0.6, 0.64});  // in any direction
+  if (const auto* torus = std::get_if<geometry::Torus>(&placed.shape)) parameter = torus->tube;
   const auto& [x, y, z, o] = placed.to_world;
   return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, o.x, o.y, o.z, parameter, double(placed.shape.index())};
 }
@@ -116,6 +117,7 @@ math::Vec3d size_of(const QuadDesc& quad) {
 }
 math::Vec3d size_of(const DiskDesc& disk) { return {disk.radius, disk.radius, disk.radius}; }
 math::Vec3d size_of(const CylinderDesc& tube) { return {tube.radius, tube.height / 2, tube.radius}; }
+math::Vec3d size_of(const TorusDesc& torus) { return {torus.radius, torus.radius, torus.radius}; }
 
 template <class ShapeDesc>
 bool large_enough(const ShapeDesc& shape, const Path& path, Problems& problems) {
@@ -149,6 +151,9 @@ geometry::PlacedShape placed(const DiskDesc& disk) {
   return placed_as(geometry::Disk{disk.hole_radius / disk.radius}, disk, size_of(disk));
 }
 geometry::PlacedShape placed(const CylinderDesc& tube) { return placed_as(geometry::Cylinder{}, tube, size_of(tube)); }
+geometry::PlacedShape placed(const TorusDesc& torus) {
+  return placed_as(geometry::Torus{torus.tube_radius / torus.radius}, torus, size_of(torus));
+}
 geometry::PlacedShape placed(const TriangleDesc& triangle) {
   const auto& corners = triangle.corners;
   return geometry::place(geometry::Triangle{}, geometry::triangle_placement(corners[0], corners[1], corners[2]));
@@ -169,7 +174,7 @@ void ObjectsCompiler::add_one(const BubbleDesc& bubble, const Path& path, int in
   const std::array<double, 4> key = {bubble.center.x + 0.0, bubble.center.y + 0.0, bubble.center.z + 0.0,
                                      bubble.radius};
   const auto [entry, added] = bubble_at_.try_emplace(key, bubbles_.size());
-  if (added) bubbles_.push_back({{bubble.center, bubble.radius, 0, 0}, index, {}});
+  if (added) bubbles_.push_back({{bubble.center, bubble.radius, 0, 0, index}, {}});
   bubbles_[entry->second].films.push_back(*std::move(film));
 }
 
@@ -190,6 +195,7 @@ void ObjectsCompiler::add_one(const ShapeDesc& shape, const Path& path, int inde
                            {&path, "width"},
                            {&path, "height"},
                            {&path, "hole_radius"},
+                           {&path, "tube_radius"},
                            {&path, "corners"},
                            {&path, "position"},
                            {&path, "rotation_deg"},
@@ -213,7 +219,7 @@ bool ObjectsCompiler::move(const BubbleDesc& bubble, Film& film, const Path& pat
     return true;
   }
   const film::Hole hole = film::hole_at(*body, *popping, scene_.time_s);
-  open_hole(film, hole, popping->from_centre);
+  open_hole(film, hole, *body, popping->from_centre);
   return hole.angle_rad < std::numbers::pi;
 }
 
@@ -233,7 +239,7 @@ void ObjectsCompiler::finish(const std::vector<ObjectDesc>& objects, const Path&
     SphereDesc shape;
     shape.position = bubble.sphere.center;
     shape.radius = bubble.sphere.radius;
-    all.push_back({placed(shape), bubble.place_in_file});
+    all.push_back({placed(shape), bubble.sphere.place_in_file});
   }
   const Names names{objects, path};
   if (object_count > 0) warn_of_coincidence(all, object_count, names, problems_);

@@ -15,6 +15,7 @@ geometry::PlacedShape placed(const SphereDesc& sphere);
 geometry::PlacedShape placed(const QuadDesc& quad);
 geometry::PlacedShape placed(const DiskDesc& disk);
 geometry::PlacedShape placed(const CylinderDesc& cylinder);
+geometry::PlacedShape placed(const TorusDesc& torus);
 geometry::PlacedShape placed(const TriangleDesc& triangle);
 
 // Whatever is wrong becomes a problem.
@@ -35,7 +36,6 @@ class ObjectsCompiler {
  private:
   struct Bubble {
     Sphere sphere;
-    int place_in_file = 0;    // of its first film
     std::vector<Film> films;  // of every object with this centre and radius, outermost first
   };
 

@@ -27,6 +27,9 @@ bool is_on(const geometry::Cylinder&, const math::Vec3d& p, double tolerance) {
 bool is_on(const geometry::Triangle&, const math::Vec3d& p, double tolerance) {
   return std::abs(p.z) <= tolerance && std::min(p.x, p.y) >= -tolerance && p.x + p.y <= 1 + tolerance;
 }
+bool is_on(const geometry::Torus& torus, const math::Vec3d& p, double tolerance) {
+  return std::abs(std::hypot(std::hypot(p.x, p.z) - 1, p.y) - torus.tube) <= tolerance;
+}
 bool is_on(const geometry::LobedSphere& lobed, const math::Vec3d& p, double tolerance) {
   const double distance = math::length(p);
   return distance > 0 && std::abs(distance - geometry::radius_at(lobed, p * (1 / distance))) <= tolerance;

@@ -10,7 +10,8 @@ namespace shabon::scene {
 inline constexpr Range coordinate_range{.low = -1e6, .high = 1e6};
 inline constexpr Range radius_range{.low = 0, .high = 1e6, .low_open = true};
 inline constexpr Range hole_range{.low = 0, .high = 1e6, .high_open = true};
-inline constexpr Range angle_range_deg{.low = -36000, .high = 36000};  // a hundred turns
+inline constexpr Range tube_range{.low = 0, .high = 1e6, .low_open = true, .high_open = true};  // within a ring
+inline constexpr Range angle_range_deg{.low = -36000, .high = 36000};                           // a hundred turns
 inline constexpr Range below_half_turn_deg{.low = 0, .high = 180, .low_open = true, .high_open = true};
 inline constexpr Range up_to_half_turn_deg{.low = 0, .high = 180, .low_open = true};
 inline constexpr Range elevation_range_deg{.low = 0, .high = 90};

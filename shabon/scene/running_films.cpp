@@ -74,7 +74,7 @@ void burst(Film& film, const std::optional<film::FilmFlow::Rupture>& rupture, do
   if (by_itself) popping.from_centre = rupture->from_centre, popping.start_s = rupture->time_s;
   if (time_s <= popping.start_s) return;
   if (body.thickness_m == 0) body.thickness_m = film::mean_thickness_nm(film.thickness) * 1e-9;
-  open_hole(film, film::hole_at(body, popping, time_s), popping.from_centre);
+  open_hole(film, film::hole_at(body, popping, time_s), body, popping.from_centre);
 }
 
 }  // namespace
@@ -91,6 +91,7 @@ void RunningFilms::show_in(Scene& scene) const {
     film.thickness = std::shared_ptr<const film::SphereMap>(std::move(map));
     burst(film, running.flow.rupture(), scene.time_s);
   }
+  add_rims(scene);
 }
 
 Status run_films(Scene& scene, const StopFlag* stop, const ProgressReport& progress) {

@@ -25,7 +25,7 @@ class RunningFilms {
   Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
 
   // Puts the thickness of this moment into the scene, which is the one of start() or one compiled from it for another
-  // time; a film that broke has the hole of the scene's time.
+  // time; a film that broke has the hole of the scene's time. Once for a scene.
   void show_in(Scene& scene) const;
 
   // The film that broke first, if one did.

@@ -31,6 +31,13 @@ struct Bursting {
   bool by_itself = false;
 };
 
+// The liquid that a bursting film has gathered at the edge of its hole.
+struct Rim {
+  math::Vec3d axis;      // unit, from the bubble's centre to the hole's middle
+  double angle_rad = 0;  // from there to the edge of the film
+  double thickness = 0;  // radius of the rim's round section, in radii of the bubble
+};
+
 // One film between the scene's medium on both sides: coherent layers from the outside to the inside, at least one, of
 // which one has a thickness of its own at each place.
 struct Film {
@@ -40,6 +47,7 @@ struct Film {
   std::optional<NumberTexture> thickness_map_nm = {};  // by (u, v), in place of `thickness`; never on bubbles
   std::shared_ptr<const film::FlowDesc> flow = {};     // RunningFilms sets `thickness`; on bubbles only
   std::optional<Bursting> bursting = {};               // beside `flow`
+  std::optional<Rim> rim = {};                         // until add_rims() makes an object of it
 };
 
 // Bubbles with the same centre and radius are one sphere with several films, listed outermost first in the order of
@@ -49,6 +57,7 @@ struct Sphere {
   double radius = 1;
   int first_film = 0;
   int film_count = 1;
+  int place_in_file = 0;  // of the first film: index into the scene file's objects, for messages
 };
 
 // Anything that is not a round bubble.

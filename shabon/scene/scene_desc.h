@@ -69,7 +69,7 @@ struct EnvironmentDesc {
 };
 
 // The closed set of objects.
-using ObjectDesc = std::variant<BubbleDesc, SphereDesc, QuadDesc, DiskDesc, CylinderDesc, TriangleDesc>;
+using ObjectDesc = std::variant<BubbleDesc, SphereDesc, QuadDesc, DiskDesc, CylinderDesc, TorusDesc, TriangleDesc>;
 
 inline constexpr int scene_file_version = 1;
 

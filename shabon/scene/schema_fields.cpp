@@ -100,6 +100,13 @@ void check(const DiskDesc& disk, const Path& path, Problems& problems) {
                  "expected less than the radius " + value_text(disk.radius) + ", got " + value_text(disk.hole_radius));
 }
 
+void check(const TorusDesc& torus, const Path& path, Problems& problems) {
+  const Path tube{&path, "tube_radius"};
+  if (!problems.has(tube) && !problems.has(Path{&path, "radius"}) && torus.tube_radius >= torus.radius)
+    problems.add(
+        tube, "expected less than the radius " + value_text(torus.radius) + ", got " + value_text(torus.tube_radius));
+}
+
 void check(const TriangleDesc& triangle, const Path& path, Problems& problems) {
   const Path corners{&path, "corners"};
   if (problems.has(corners)) return;

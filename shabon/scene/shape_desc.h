@@ -37,6 +37,11 @@ struct CylinderDesc : PlacementDesc {
   SurfaceDesc surface = {};
 };
 
+struct TorusDesc : PlacementDesc {
+  double radius = 1, tube_radius = 0.05;
+  SurfaceDesc surface = {};
+};
+
 struct TriangleDesc {
   std::vector<math::Vec3d> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};  // anticlockwise as seen from the front
   SurfaceDesc surface = {};
@@ -102,6 +107,20 @@ constexpr auto fields(Of<CylinderDesc>) {
       surface_field<CylinderDesc>());
 }
 
+constexpr About about(Of<TorusDesc>) {
+  return {.name = "torus", .doc = "a closed ring of round wire about its own y axis"};
+}
+constexpr auto fields(Of<TorusDesc>) {
+  return std::tuple_cat(
+      fields(Of<PlacementDesc>{}),
+      std::tuple{
+          Field{"radius", &TorusDesc::radius, {.range = radius_range, .doc = "from its axis to the wire's middle"}},
+          Field{"tube_radius",
+                &TorusDesc::tube_radius,
+                {.range = tube_range, .doc = "of the wire; less than that of the ring"}}},
+      surface_field<TorusDesc>());
+}
+
 constexpr About about(Of<TriangleDesc>) { return {.name = "triangle", .doc = "a triangle"}; }
 constexpr auto fields(Of<TriangleDesc>) {
   return std::tuple_cat(std::tuple{Field{"corners",
@@ -114,6 +133,7 @@ constexpr auto fields(Of<TriangleDesc>) {
 }
 
 void check(const DiskDesc& disk, const Path& path, Problems& problems);
+void check(const TorusDesc& torus, const Path& path, Problems& problems);
 void check(const TriangleDesc& triangle, const Path& path, Problems& problems);
 
 }  // namespace shabon::scene

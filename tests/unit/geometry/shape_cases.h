@@ -86,6 +86,26 @@ struct Known<Triangle> {
 };
 
 template <>
+struct Known<Torus> {
+  static constexpr bool any_degree = true;
+  static std::vector<Torus> examples() { return {{0.5}, {0.1}, {0.9}}; }
+  static Real carrier(const Torus& s, Vec3r p) {
+    const Real r = std::sqrt(p.x * p.x + p.z * p.z) - 1;
+    return std::sqrt(r * r + p.y * p.y) - s.tube;
+  }
+  static Real edge(const Torus&, Vec3r) { return 1; }
+  static Vec3d parametrized(const Torus& s, double a, double b) {
+    const double around = 2 * std::numbers::pi * a, azimuth = 2 * std::numbers::pi * b;
+    const double r = 1 + s.tube * std::cos(around);
+    return {r * std::cos(azimuth), s.tube * std::sin(around), r * std::sin(azimuth)};
+  }
+  static Vec3d uv(Vec3d p) {
+    const double turn = std::atan2(std::hypot(p.x, p.z) - 1, p.y) / (2 * std::numbers::pi);
+    return {0.5 + std::atan2(p.x, -p.z) / (2 * std::numbers::pi), turn < 0 ? turn + 1 : turn, 0};
+  }
+};
+
+template <>
 struct Known<LobedSphere> {
   static constexpr bool any_degree = true;
   static std::vector<LobedSphere> examples() {

@@ -47,6 +47,10 @@ TEST(Coincidence, SymmetriesDoNotHideIt) {
   EXPECT_FALSE(pair(SphereCap{}, placement(at, {}, {1, 2, 3}), SphereCap{}, placement(at, {0, 90, 0}, {1, 2, 3})));
   EXPECT_TRUE(pair(Cylinder{}, placement(at, {30, 0, 0}), Cylinder{},
                    compose(placement(at, {30, 0, 0}), placement({}, {0, 77, 180}))));
+  EXPECT_TRUE(pair(Torus{0.2}, placement(at, {30, 0, 0}), Torus{0.2},
+                   compose(placement(at, {30, 0, 0}), placement({}, {0, 77, 180}))));
+  EXPECT_FALSE(pair(Torus{0.2}, placement(at, {30, 0, 0}), Torus{0.21}, placement(at, {30, 0, 0})));
+  EXPECT_FALSE(pair(Torus{0.2}, placement(at, {30, 0, 0}), Torus{0.2}, placement(at, {31, 0, 0})));
   // A level quad seen from below, of another size, and a disk on it.
   EXPECT_TRUE(pair(Quad{}, placement(at, {90, 0, 0}, {2, 2, 2}), Quad{}, placement(at, {-90, 33, 0}, {1, 1, 1})));
   EXPECT_TRUE(pair(Quad{}, placement(at, {90, 0, 0}, {2, 2, 2}), Disk{}, placement(at, {-90, 33, 0}, {1, 1, 1})));

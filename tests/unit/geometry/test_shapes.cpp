@@ -279,6 +279,32 @@ TEST(Sphere, WholeRoundOnesAreTheBubblesOwn) {
   }
 }
 
+// A hair is met where a wire is: to the same share of its own thickness, from near and far, from outside and within.
+TEST(Torus, IsMetHoweverThin) {
+  Pcg32 random(33);
+  for (const double tube : {0.1, 1e-3, 1e-6}) {
+    const Torus torus{tube};
+    const double most = 1e-9 * tube + 1e-15;
+    const auto off = [&](Vec3d p) { return static_cast<double>(Known<Torus>::carrier(torus, real(p))); };
+    for (int k = 0; k < 3000; ++k) {
+      const Vec3d line = sample(Torus{0}, 0, random.uniform());  // on the middle line
+      const Vec3d target = line + random_direction(random) * (tube * random.uniform(0, 0.9));
+      const Vec3d direction = random_direction(random), origin = target - direction * random.uniform(0.01, 3);
+      if (off(origin) < 0) continue;
+      const auto in = next_crossing(torus, origin, direction, false);
+      ASSERT_TRUE(in);
+      const Vec3d entry = origin + direction * *in, on_it = point_at(torus, entry).position;
+      ASSERT_NEAR(off(entry), 0, most);
+      ASSERT_NEAR(math::length(entry - on_it), 0, 2 * most);
+      if (off((entry + target) * 0.5) > 0) continue;  // another part of the ring lies before
+      const auto out = next_crossing(torus, on_it, direction, true);
+      ASSERT_TRUE(out);
+      ASSERT_NEAR(off(on_it + direction * *out), 0, most);
+      ASSERT_LT(math::length(on_it + direction * (*out / 2) - line), 2.5 * std::sqrt(tube));
+    }
+  }
+}
+
 // Without lobes, and with ones too small to count, it is the sphere.
 TEST(LobedSphere, IsASphereWithoutLobes) {
   Pcg32 random(31);

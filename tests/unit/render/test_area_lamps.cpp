@@ -31,6 +31,7 @@ scene::Scene lit_by_lamps(double sky_scale) {
   add(geometry::SphereCap{}, at({-3, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}), 0);
   add(geometry::Disk{}, at({3, 2, -1}, {0, 0.7, 0}, {0, 0, 0.7}, {1, 0, 0}), 1);
   add(geometry::Cylinder{}, at({0, 1, -4}, {0.2, 0, 0}, {0, 1, 0}, {0, 0, 0.2}), 0);
+  add(geometry::Torus{0.3}, at({-1, 3, 2}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}), 0);
   add(geometry::Triangle{}, at({1, 4, 3}, {1, 0, 0}, {0, 0.2, 1}, {0, 1, -0.2}), 1);
   add(geometry::Quad{}, at({0, -1, 0}, {9, 0, 0}, {0, 0, 9}, {0, -1, 0}), 2);
   add(geometry::LobedSphere{1, {{3, 0.2, {0, 1, 0}}}}, at({-2, 2, -3}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}), 0);

@@ -61,6 +61,29 @@ TEST(Popping, waits_and_ends) {
   }
 }
 
+// All the liquid of the hole is a ring that touches the film from within the hole.
+TEST(Popping, gathers_the_liquid_in_a_rim) {
+  using std::numbers::pi;
+  const std::string bubble =
+      plain + ", center: [1, 2, 3], radius: 2, body: {radius_m: 0.05}, popping: {from_centre: [0, 0, 3]}";
+  for (const double time_s : {1e-5, 1e-3, 0.01, 0.02}) {
+    const Scene scene = loaded(bubble, time_s);
+    ASSERT_EQ(scene.objects.size(), 1u);
+    const auto& [shape, surface, place] = scene.objects[0];
+    EXPECT_EQ(place, 0);
+    const double ring = shape.uniform_scale, tube = ring * std::get<geometry::Torus>(shape.shape).tube;
+    const double edge = speed_m_s * time_s / 0.05, swept = 2 * pi * 4 * (1e-6 / 0.025) * (1 - std::cos(edge));
+    EXPECT_NEAR(2 * pi * pi * ring * tube * tube / swept, 1, 0.02 + tube / ring) << time_s;
+    EXPECT_NEAR(math::length(shape.to_world.origin - Vec3d{1, 2, 3}), std::sqrt(4 - ring * ring), 1e-12);
+    const Vec3d film_edge = Vec3d{1, 2, 3} + Vec3d{0, std::sin(edge), std::cos(edge)} * 2;
+    const Vec3d line = shape.to_world.origin + Vec3d{0, ring, 0};
+    EXPECT_NEAR(math::length(film_edge - line), tube, 1e-12);
+    const auto& liquid = std::get<DielectricSurface>(scene.surfaces.at(static_cast<std::size_t>(surface)));
+    EXPECT_EQ(liquid.coating.stack.exit.name(), "water");
+  }
+  EXPECT_TRUE(loaded(bubble, 0).objects.empty());
+}
+
 // The angle in rad of the hole's rim, from its film.
 double rim_of(const Scene& scene) { return std::acos(std::get<film::HoledFilm>(scene.films.at(0).thickness).cos_hole); }
 
@@ -192,6 +215,8 @@ TEST(Popping, opens_a_simulated_film_where_it_broke) {
     EXPECT_NEAR(std::acos(holed.cos_hole), rim_speed_m_s * later_s / 0.03 / slow, 1e-9) << slow;
     EXPECT_NEAR(math::length(holed.axis - math::normalize(rupture.from_centre)), 0, 1e-12);
     EXPECT_FALSE(has_idle_film(scene));
+    ASSERT_EQ(scene.objects.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<geometry::Torus>(scene.objects[0].shape.shape));
   }
 }
 

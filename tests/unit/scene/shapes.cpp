@@ -56,6 +56,13 @@ TEST(Shapes, a_tube_stands_upright) {
   EXPECT_NEAR(geometry::area(shape), 6 * std::numbers::pi, 1e-9);
 }
 
+TEST(Shapes, a_torus_lies_level) {
+  const auto shape = load("torus: {radius: 2, tube_radius: 0.5, position: [0, 1, 0], surface: {diffuse: {}}}");
+  EXPECT_EQ(std::get<geometry::Torus>(shape.shape).tube, 0.25);
+  expect_at(shape, {1, 0.25, 0}, {2, 1.5, 0});
+  EXPECT_NEAR(geometry::area(shape), 4 * std::numbers::pi * std::numbers::pi, 1e-9);
+}
+
 TEST(Shapes, a_triangle_has_its_corners_and_its_front) {
   const auto shape = load("triangle: {corners: [[1, 0, 0], [3, 0, 0], [1, 0, -4]], surface: {diffuse: {}}}");
   expect_at(shape, {0, 0, 0}, {1, 0, 0});
