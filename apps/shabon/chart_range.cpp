@@ -58,7 +58,7 @@ std::vector<double> ChartRange::values(double apart) const {
   return all;
 }
 
-std::vector<double> ChartAngles::values(std::vector<double> usual) const {
+std::vector<double> ChartAngles::values(const std::vector<double>& usual) const {
   constexpr double usual_step = 10;
   if (range) return range->values(range->step.value_or(usual_step));
   return list.empty() ? usual : list;

@@ -28,7 +28,7 @@ struct ChartAngles {
   std::vector<double> list;
 
   // All of them, a range in steps of 10 unless it says; `usual` when nothing was given.
-  std::vector<double> values(std::vector<double> usual) const;
+  std::vector<double> values(const std::vector<double>& usual) const;
 };
 
 struct RangeUnit {

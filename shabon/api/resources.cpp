@@ -9,7 +9,7 @@
 
 namespace shabon::api {
 
-scene::Resources file_resources(std::filesystem::path folder,
+scene::Resources file_resources(const std::filesystem::path& folder,
                                 std::function<void(const std::filesystem::path&)> opened) {
   const auto tell = [opened = std::move(opened)](const std::filesystem::path& path) {
     if (opened) opened(path);

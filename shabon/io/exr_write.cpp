@@ -52,7 +52,7 @@ Imf::Header make_header(int width, int height, std::string_view channels, const 
 
 // `values` hold the channels of a pixel side by side, in the order of their names.
 std::string encode(const Imf::Header& header, std::string_view channels, std::span<const float> values) {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   MemoryOutput stream;
   {
     Imf::OutputFile file(stream, header, 0);

@@ -38,7 +38,7 @@ std::optional<Diagnostics> refuse_contents(int width, int height, std::size_t va
 }
 
 PixelSink::PixelSink(const std::string& source, int width, int height, std::optional<Matrix3> to_srgb)
-    : source_(source), to_srgb_(std::move(to_srgb)) {
+    : source_(source), to_srgb_(to_srgb) {
   image_.width = width;
   image_.height = height;
   image_.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

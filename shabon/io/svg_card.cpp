@@ -50,7 +50,8 @@ std::string card_svg(const ColorCard& card) {
   std::size_t lines = 0;
   for (const CardPatch& patch : card.patches) lines = std::max(lines, patch.lines.size());
   const double patch_px = line_px + patch_height_px + static_cast<double>(lines) * line_px + gap_px;
-  const auto rows = static_cast<double>((count + columns - 1) / columns);
+  const std::size_t full_rows = (count + columns - 1) / columns;
+  const auto rows = static_cast<double>(full_rows);
   const double width = 2 * margin_px + static_cast<double>(columns) * (patch_width_px + gap_px) - gap_px;
   const double head = margin_px + 2 * line_px + gap_px / 2;
   const double height = head + rows * patch_px + static_cast<double>(card.notes.size()) * line_px + margin_px;
@@ -59,9 +60,11 @@ std::string card_svg(const ColorCard& card) {
   const double text_width = width - 2 * margin_px;
   svg += text_at(margin_px, margin_px + title_px / 2, card.title, title_px, text_width, true);
   svg += text_at(margin_px, margin_px + title_px / 2 + line_px, card.subtitle, text_px, text_width);
-  for (std::size_t i = 0; i < count; ++i)
-    svg += drawn(card.patches[i], margin_px + static_cast<double>(i % columns) * (patch_width_px + gap_px),
-                 head + static_cast<double>(i / columns) * patch_px);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = i / columns, column = i % columns;
+    svg += drawn(card.patches[i], margin_px + static_cast<double>(column) * (patch_width_px + gap_px),
+                 head + static_cast<double>(row) * patch_px);
+  }
   double y = head + rows * patch_px + note_px;
   for (const std::string& note : card.notes) {
     svg += text_at(margin_px, y, note, note_px, text_width);

@@ -171,7 +171,7 @@ void YamlTreeBuilder::open(const YAML::Mark& mark, const std::string& tag, YAML:
   frame.anchor = anchor;
   frame.size.depth = 1;
   const auto core = core_tag(tag);
-  if (!core || (*core != "" && *core != (kind == YamlNode::Kind::sequence ? "seq" : "map")))
+  if (!core || (!core->empty() && *core != (kind == YamlNode::Kind::sequence ? "seq" : "map")))
     error_at(frame.node.line, frame.node.column, unsupported_tag(tag));
   count(frame.size, frame.node.line, frame.node.column);
   frames_.push_back(std::move(frame));

@@ -58,7 +58,7 @@ class MediaList {
   }
 
   // Parts are media already in the list.
-  void add_mixture(std::string_view name, std::vector<std::pair<std::string_view, double>> parts,
+  void add_mixture(std::string_view name, const std::vector<std::pair<std::string_view, double>>& parts,
                    const char* description, const char* source) {
     std::vector<MixturePart> mixed;
     for (const auto& [part, fraction] : parts)

@@ -37,7 +37,7 @@ std::vector<std::uint8_t> develop_srgb8(const Sensor& sensor, const scene::Devel
     const color::LinearRgb mapped = color::map_to_srgb_gamut({c.r * exposure, c.g * exposure, c.b * exposure}, mapping);
     const color::EncodedRgb encoded = color::encode_srgb(mapped);
     for (const double value : {encoded.r, encoded.g, encoded.b})
-      bytes.push_back(static_cast<std::uint8_t>(value * 255 + 0.5));
+      bytes.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
   });
   return bytes;
 }

@@ -138,6 +138,7 @@ const std::vector<std::string_view> without_fixture = {
     "the scene does not fit into memory",  // needs a machine without memory
     "expected a finite number, got ",      // only a description written in code holds nan: tests/unit/scene
     " | vacuum",                           // no message
+    "expected a thickness model or a map; a simulated film has to run first, and its pictures are a map",  // no scene
 };
 
 // The parts of messages as they stand in the sources: string literals of two words or more. Descriptions of keys are

@@ -11,7 +11,9 @@ FlowDesc fresh() {
   desc.mean_thickness_nm = 1000;
   desc.initial = {.noise = 0.2, .noise_scale_m = 0.008, .swirl_m_s = 0.25, .swirl_scale_m = 0.012};
   desc.air = {AirSwirls{.speed_m_s = 0.15, .scale_m = 0.025, .change_s = 6}};
-  desc.evaporation = EvaporationDesc{};
+  desc.evaporation = EvaporationDesc{.rate_nm_s = 20};
+  // Eddies alone even the film out within ten seconds: thin patches keep its colours apart.
+  desc.regeneration = RegenerationDesc{.ratio = 0.8, .patch_radius_m = 3.5e-3, .rate_per_s = 80};
   return desc;
 }
 
