@@ -104,7 +104,7 @@ TEST(AreaLamps, MeansOverLampsAreTheirLightWithTheSky) {
 TEST(AreaLamps, OnlyLampsHaveADensity) {
   const scene::Scene scene = lit_by_lamps(0.3);
   const LampSampling lamps(scene);
-  EXPECT_EQ(lamps.pdf_object({0, 0, 0}, 5, {0, -1, 0}, 1), 0);  // the one of scale 0
+  EXPECT_EQ(lamps.pdf_object({0, 0, 0}, 6, {0, -1, 0}, 1), 0);  // the one of scale 0
   EXPECT_GT(lamps.pdf_object({0, 0, 0}, 0, {0, 1, 0}, 3), 0);
   // Densities of all lamps and of the sky add up to one choice.
   double share = 0;
