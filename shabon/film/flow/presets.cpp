@@ -51,8 +51,8 @@ FlowDesc old() {
 FlowDesc giant() {
   FlowDesc desc;
   desc.radius_m = 0.1;
-  desc.mean_thickness_nm = 1200;
-  desc.initial = {.noise = 0.25, .noise_scale_m = 0.02, .swirl_m_s = 0.1, .swirl_scale_m = 0.04};
+  desc.mean_thickness_nm = 900;
+  desc.initial = {.noise = 0.3, .noise_scale_m = 0.02, .swirl_m_s = 0.1, .swirl_scale_m = 0.04};
   desc.air = {AirSwirls{.speed_m_s = 0.3, .scale_m = 0.06, .change_s = 8}};
   desc.evaporation = EvaporationDesc{};
   desc.regeneration = RegenerationDesc{.patch_radius_m = 5e-3, .rate_per_s = 100};
@@ -61,12 +61,12 @@ FlowDesc giant() {
 
 FlowDesc glycerol() {
   FlowDesc desc;
-  desc.mean_thickness_nm = 1500;
+  desc.mean_thickness_nm = 900;
   desc.density_kg_m3 = 1200;
   desc.viscosity_pa_s = 6e-2;
   desc.surface_viscosity_kg_s = 5e-8;
   desc.elasticity_n_m = 15e-3;
-  desc.initial = {.noise = 0.25, .noise_scale_m = 0.008};
+  desc.initial = {.noise = 0.3, .noise_scale_m = 0.008};
   desc.air = {AirRotation{.axis = {0.2, 1, 0.1}, .speed_m_s = 0.1}};
   desc.evaporation = EvaporationDesc{.rate_nm_s = 5};
   desc.regeneration = RegenerationDesc{.rate_per_s = 10};
@@ -105,7 +105,7 @@ const std::vector<FlowPreset>& flow_presets() {
       {"gust", "Puffs of wind over a film that drains.", gust()},
       {"old", "Some minutes old: silver and black film at the top.", old()},
       {"giant", "A bubble of 20 cm in moving air.", giant()},
-      {"glycerol", "A thick film of glycerol and water: slow and smooth.", glycerol()},
+      {"glycerol", "A film of glycerol and water: slow and smooth.", glycerol()},
       {"huang2020", "The soft film of Huang et al. 2020, squeezed by gravity.", huang2020()},
       {"linear1989", "The straight film of the paper of 1989, and what becomes of it.", linear1989()},
   };
