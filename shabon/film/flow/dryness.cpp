@@ -55,8 +55,8 @@ std::optional<std::string> why_dry_before(const FlowDesc& desc, double until_s) 
   const double dry_nm = dry_mean_nm(desc);
   const double dry_s = std::max(0.0, desc.mean_thickness_nm - dry_nm) / desc.evaporation->rate_nm_s;
   if (!(dry_s < until_s)) return {};
-  return "the film dries before the end at " + format_number(until_s, 4) + " s: " + rate_text(desc) + "; from " +
-         format_number(dry_s, 3) + " s on at the latest it is " + dry_text(dry_nm) + advice(desc);
+  return "the film dries before the end at " + format_number(until_s, 4) + " s: " + rate_text(desc) + "; from about " +
+         format_number(dry_s, 3) + " s on it is " + dry_text(dry_nm) + advice(desc);
 }
 
 std::optional<std::string> why_dry(const FilmFlow& flow) {
