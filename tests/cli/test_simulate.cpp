@@ -241,7 +241,7 @@ TEST_F(Simulate, WarnsOnceOfAFilmThatDries) {
   const Outcome known =
       simulate("film.yaml -o known --seconds 0.6" + rest + thin + " --set flow.evaporation.rate_nm_s=200");
   EXPECT_EQ(count(known.err, "warning"), 1u) << known.err;
-  for (const char* part : {"the film dries before the end at 0.6 s", "0.5 s for 100 nm", "from 0.35 s on",
+  for (const char* part : {"the film dries before the end at 0.6 s", "0.5 s for 100 nm", "from about 0.35 s on",
                            "lower evaporation.rate_nm_s", "give rupture"})
     EXPECT_NE(known.err.find(part), std::string::npos) << part << " in\n" << known.err;
   const Outcome seen = simulate("film.yaml -o seen --seconds 2" + rest + thin +
