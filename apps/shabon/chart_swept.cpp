@@ -116,11 +116,15 @@ std::vector<io::ChartSpan> order_spans(double order_length, double low, double h
   const std::size_t step = orders_per_mark(order_length, low, high);
   const double mark_length = order_length * static_cast<double>(step);
   for (double mark = std::floor(low / mark_length); mark * mark_length < high; ++mark) {
-    const auto first = static_cast<std::size_t>(mark) * step + 1, last = first + step - 1;
+    const auto before = static_cast<std::size_t>(mark) * step;
+    // Of a mark at the edge, the orders that are within.
+    const auto cut = [&](double nm) { return static_cast<std::size_t>(std::max(0.0, nm / order_length)); };
+    const std::size_t first = std::max(before, cut(low)) + 1;
+    const std::size_t last = std::max(first, std::min(before + step, cut(std::nextafter(high, 0.0)) + 1));
     io::ChartSpan& span = spans.emplace_back();
     span.low = mark * mark_length, span.high = (mark + 1) * mark_length;
-    span.label = step == 1 ? ordinal(first) + " order" : fmt::format("orders {} to {}", first, last);
-    span.short_label = step == 1 ? std::to_string(first) : fmt::format("{}\u2013{}", first, last);
+    span.label = first == last ? ordinal(first) + " order" : fmt::format("orders {} to {}", first, last);
+    span.short_label = first == last ? std::to_string(first) : fmt::format("{}\u2013{}", first, last);
   }
   return spans;
 }

@@ -70,6 +70,12 @@ std::string settings_text(const FlowSettings& settings) {
   return table.text();
 }
 
+Diagnostics flaw_of(const fs::path& file, Failure failure, const std::string& message) {
+  Diagnostics errors = fail(failure, message);
+  errors.front().source = file.string();
+  return errors;
+}
+
 Result<FlowSettings> read_settings(const fs::path& path) {
   const auto table = io::read_csv(path);
   if (!table) return table.errors();
@@ -79,47 +85,47 @@ Result<FlowSettings> read_settings(const fs::path& path) {
     if (!values) errors.insert(errors.end(), values.errors().begin(), values.errors().end());
     return values ? values->front() : 0;
   };
+  const auto expect = [&](std::string_view name, bool fine, const std::string& what, double got) {
+    if (!fine && errors.empty())
+      errors = flaw_of(path, Failure::content, fmt::format("{}: expected {}, got {}", name, what, format_number(got)));
+  };
+  const auto whole = [&](std::string_view name, int least) {
+    constexpr double most = 1e6;
+    const double value = number(name);
+    const bool fine = value >= least && value <= most;
+    expect(name, fine, fmt::format("{} to {}", least, most), value);
+    return fine ? static_cast<int>(value) : least;
+  };
   FlowSettings settings;
   settings.frames_per_second = number("frames_per_second");
-  settings.checkpoint_every = static_cast<int>(number("checkpoint_every"));
-  settings.maps.lat_long_width = static_cast<int>(number("lat_long_width"));
-  settings.maps.cube_edge = static_cast<int>(number("cube_edge"));
+  expect("frames_per_second", settings.frames_per_second > 0, "more than 0", settings.frames_per_second);
+  settings.checkpoint_every = whole("checkpoint_every", 1);
+  settings.maps.lat_long_width = whole("lat_long_width", 2);
+  settings.maps.cube_edge = whole("cube_edge", 2);
   const double low = number("png_low_nm"), high = number("png_high_nm");
   if (low >= 0) settings.maps.png_range_nm = {low, high};
   if (table->column("refractive_index")) settings.maps.refractive_index = number("refractive_index");
   for (const FrameKind& kind : frame_kinds())
     if (number(kind.name) != 0) settings.kinds.push_back(&kind);
   if (!errors.empty()) return errors;
-  if (!(settings.frames_per_second > 0) || settings.checkpoint_every < 1 || settings.maps.lat_long_width < 2 ||
-      settings.maps.cube_edge < 2)
-    return fail(Failure::content, fmt::format("expected settings above 0 in '{}'", printable(path.string())));
   return settings;
 }
 
-Diagnostics flaw_of(const fs::path& file, Failure failure, const std::string& message) {
-  Diagnostics errors = fail(failure, message);
-  errors.front().source = file.string();
-  return errors;
-}
-
-// That the flow is the folder's film at the frame's time.
-Status belongs_here(const fs::path& folder, const fs::path& file, int frame, double frames_per_second,
-                    const film::FilmFlow& flow, Diagnostics& warnings) {
+// That the flow is the folder's film, where the folder says which that is.
+Status check_film(const fs::path& folder, const fs::path& file, const film::FilmFlow& flow) {
   const fs::path film_file = folder / film_name;
   std::error_code error;
-  if (fs::exists(film_file, error)) {
-    const auto film = read_key_values(film_file);
-    if (!film) return film.errors();
-    const auto difference =
-        first_difference(*film, "'" + printable(film_file.string()) + "'", film::listed(flow.desc()), "the checkpoint");
-    if (difference) return flaw_of(file, Failure::content, "is of another film: " + *difference);
-  } else {
-    warnings.push_back(
-        warning_of(fmt::format("there is no '{}' to compare the checkpoint with, as older versions left "
-                               "it; the run goes on with the film of the checkpoint",
-                               printable(film_file.string()))));
-    if (const Status written = write_key_values(film_file, film::listed(flow.desc())); !written) return written;
-  }
+  if (!fs::exists(film_file, error)) return Done{};
+  const auto film = read_key_values(film_file);
+  if (!film) return film.errors();
+  const auto difference =
+      first_difference(*film, "'" + printable(film_file.string()) + "'", film::listed(flow.desc()), "the checkpoint");
+  if (difference) return flaw_of(file, Failure::content, "is of another film: " + *difference);
+  return Done{};
+}
+
+// That the flow is at the frame's time.
+Status check_time(const fs::path& file, int frame, double frames_per_second, const film::FilmFlow& flow) {
   const double frame_s = frame / frames_per_second;
   const bool late = flow.time_s() > frame_s + 1e-9, early = flow.time_s() < frame_s - 1e-9 && !flow.rupture();
   if (late || early)
@@ -127,6 +133,34 @@ Status belongs_here(const fs::path& folder, const fs::path& file, int frame, dou
                    fmt::format("expected the film at {} s, frame {}, got it at {} s", format_number(frame_s, 9), frame,
                                format_number(flow.time_s(), 9)));
   return Done{};
+}
+
+// The flow of a frame's checkpoint, if that is what the file holds.
+Result<film::FilmFlow> read_checkpoint(const fs::path& folder, int frame, double frames_per_second) {
+  const fs::path file = folder / frame_name(checkpoint_stem, frame, checkpoint_ending);
+  const auto bytes = io::read_file(file, most_checkpoint_bytes);
+  if (!bytes) return bytes.errors();
+  auto flow = film::FilmFlow::resume(std::as_bytes(std::span(*bytes)));
+  if (!flow) {
+    Diagnostics errors = flow.errors();
+    for (Diagnostic& flaw : errors) flaw.source = file.string();
+    return errors;
+  }
+  if (const Status ours = check_film(folder, file, *flow); !ours) return ours.errors();
+  if (const Status timely = check_time(file, frame, frames_per_second, *flow); !timely) return timely.errors();
+  return flow;
+}
+
+// What film it is, where an older version has not said so.
+Status name_film(const fs::path& folder, const film::FilmFlow& flow, Diagnostics& warnings) {
+  const fs::path film_file = folder / film_name;
+  std::error_code error;
+  if (fs::exists(film_file, error)) return Done{};
+  warnings.push_back(
+      warning_of(fmt::format("there is no '{}' to compare the checkpoint with, as older versions left "
+                             "it; the run goes on with the film of the checkpoint",
+                             printable(film_file.string()))));
+  return write_key_values(film_file, film::listed(flow.desc()));
 }
 
 }  // namespace
@@ -151,6 +185,10 @@ Status FlowFolder::change(const FlowSettings& settings) {
 }
 
 Result<FlowFolder> FlowFolder::reopen(const fs::path& path, Diagnostics& warnings) {
+  std::error_code error;
+  if (!fs::exists(path / settings_name, error))
+    return fail(Failure::file, fmt::format("there is nothing to go on from in '{}': expected a simulation's {} there",
+                                           printable(path.string()), settings_name));
   const auto settings = read_settings(path / settings_name);
   if (!settings) return settings.errors();
   FlowFolder folder(path, *settings);
@@ -167,20 +205,17 @@ Result<FlowFolder::Start> FlowFolder::latest(std::optional<int> frame, Diagnosti
     return fail(Failure::content, fmt::format("'{}' holds no checkpoint{}", printable(path_.string()),
                                               frame ? fmt::format(" at or before frame {}", *frame) : std::string()));
   const auto found = std::prev(after);
-  const fs::path file = path_ / frame_name(checkpoint_stem, *found, checkpoint_ending);
-  const auto bytes = io::read_file(file, most_checkpoint_bytes);
-  if (!bytes) return bytes.errors();
-  auto flow = film::FilmFlow::resume(std::as_bytes(std::span(*bytes)));
-  Diagnostics errors = flow ? Diagnostics{} : flow.errors();
-  for (Diagnostic& flaw : errors) flaw.source = file.string();
-  if (flow)
-    if (const Status ours = belongs_here(path_, file, *found, settings_.frames_per_second, *flow, warnings); !ours)
-      errors = ours.errors();
-  if (!errors.empty()) {
-    if (found != frames.begin())
-      errors.back().message += fmt::format("; --resume-from {} takes the checkpoint before it", *std::prev(found));
+  auto flow = read_checkpoint(path_, *found, settings_.frames_per_second);
+  if (!flow) {
+    Diagnostics errors = flow.errors();
+    for (auto before = found; before != frames.begin();)
+      if (read_checkpoint(path_, *--before, settings_.frames_per_second)) {
+        errors.back().message += fmt::format("; --resume-from {} takes the checkpoint before it", *before);
+        break;
+      }
     return errors;
   }
+  if (const Status named = name_film(path_, *flow, warnings); !named) return named.errors();
   forget_after(*found);
   rows_.put(*found, flow->report());  // as it was written, should it be lost
   if (const auto missing = rows_.missing_until(*found))

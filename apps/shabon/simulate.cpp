@@ -87,7 +87,12 @@ Result<FlowSettings> settings_of(const SimulateCommand& command, FlowSettings se
     if (!medium) return medium.errors();
     settings.maps.refractive_index = std::round(medium->index(gltf_wavelength_nm).real() * 1e4) / 1e4;
   }
-  if (command.png_range.size() == 2) settings.maps.png_range_nm = {command.png_range[0], command.png_range[1]};
+  if (command.png_range.size() == 2) {
+    const bool any = std::any_of(settings.kinds.begin(), settings.kinds.end(),
+                                 [](const FrameKind* kind) { return kind->name == "gltf"; });
+    if (!any) return fail(Failure::usage, "--png-range: expected gltf in --write, as no other kind is a PNG");
+    settings.maps.png_range_nm = {command.png_range[0], command.png_range[1]};
+  }
   return settings;
 }
 

@@ -68,7 +68,9 @@ constexpr About about(Of<AirJet>) { return {.name = "jet", .doc = "A stream of a
 constexpr auto fields(Of<AirJet>) {
   return std::tuple{
       Field{"place", &AirJet::place, {.doc = "where it is strongest: a direction from the centre, of any length"}},
-      Field{"direction", &AirJet::direction, {.doc = "where it blows to, of any length"}},
+      Field{"direction",
+            &AirJet::direction,
+            {.doc = "where it blows to, of any length: along the film, what blows at it moves nothing"}},
       Field{"speed_m_s",
             &AirJet::speed_m_s,
             {.unit = "m/s", .range = air_speed_range_m_s, .doc = "speed where it is strongest"}},

@@ -36,7 +36,7 @@ class Stepper {
 
   const Metric& metric_;
   const FlowDesc& desc_;
-  double viscosity_m2_s_;
+  double viscosity_m2_s_, longest_s_;
   AirField air_;
   Momentum momentum_;
   Marangoni marangoni_;

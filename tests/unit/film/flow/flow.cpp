@@ -192,6 +192,21 @@ TEST(FilmFlow, NeverCrossesMoreCellsThanItMay) {
   EXPECT_LE(flow.report().courant, desc.step.courant);
 }
 
+// The most viscous film on the smallest bubble: its shear dies away within microseconds.
+TEST(FilmFlow, StaysSlowWhereShearIsStiff) {
+  const auto fastest_m_s = [](double longest_s) {
+    FlowDesc desc;
+    desc.level = 3, desc.radius_m = 0.005, desc.mean_thickness_nm = 50, desc.surface_viscosity_kg_s = 1e-6;
+    desc.step.longest_s = longest_s;
+    auto flow = FilmFlow::start(desc);
+    EXPECT_TRUE(flow->advance_to(0.1).ok());
+    return flow->report().fastest_m_s;
+  };
+  const double fine = fastest_m_s(1e-5);
+  EXPECT_NEAR(fastest_m_s(8e-3), fine, 0.1 * fine);
+  EXPECT_LT(fine, 5e-3);  // what drag alone would allow
+}
+
 TEST(FilmFlow, StopsWhenAsked) {
   FilmFlow flow = started(busy_film(1));
   const StopFlag stop{true};
