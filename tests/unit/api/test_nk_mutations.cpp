@@ -105,7 +105,9 @@ TEST(NkMutations, HostileFiles) {
   for (const std::string& text : {repeated("1,", 100'000), repeated("400,1\n", 200'000), repeated("\"", 99'999),
                                   "nm,n\n" + repeated("9", 1'000'000) + ",1\n", std::string()})
     expect_sane(folder.read("a.csv", text), text.substr(0, 100));
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 20);
+  // Under sanitizers and beside other work up to 30; a time that grows with the square of the size takes an hour.
+  constexpr double most_s = 120;
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), most_s);
 }
 
 }  // namespace
