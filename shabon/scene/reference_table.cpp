@@ -8,7 +8,7 @@ namespace shabon::scene {
 
 namespace {
 
-std::string cell(std::string text) {
+std::string cell(const std::string& text) {
   std::string escaped;
   for (char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
   return escaped;

@@ -62,7 +62,8 @@ inline TilePixels split_pixels(const scene::Scene& scene, const std::vector<RimC
     const double cosine = math::dot(cone.axis, middle);
     if (cosine < cone.cos_outermost || cosine > cone.cos_innermost) continue;
     for (int i = 0; i < tile.pixels(); ++i) {
-      const math::Vec3d d = direction(tile.x0 + i % tile.width + 0.5, tile.y0 + i / tile.width + 0.5);
+      const int column = i % tile.width, row = i / tile.width;
+      const math::Vec3d d = direction(tile.x0 + column + 0.5, tile.y0 + row + 0.5);
       const double off_axis = std::atan2(math::length(math::cross(cone.axis, d)), math::dot(cone.axis, d));
       const double beyond = off_axis - cone.angular_radius;
       on_rim[i] |= beyond > -inside && beyond < outside;

@@ -14,15 +14,17 @@
 
 namespace shabon::scene {
 
+// Outside of Coating: clang 14 does not know an inner struct's defaults in time.
+struct VariedLayer {
+  std::size_t layer = 0;
+  std::variant<film::ThicknessField, NumberTexture> thickness_nm;
+};
+
 struct Coating {
   // From the front, the side the shape's normal points to. The medium in front is transparent: its k stays below
   // transparent_extinction at all rendered wavelengths.
   optics::Stack stack;
-  struct Varied {
-    std::size_t layer = 0;
-    std::variant<film::ThicknessField, NumberTexture> thickness_nm;
-  };
-  std::optional<Varied> varied;  // in place of the thickness in the stack
+  std::optional<VariedLayer> varied;  // in place of the thickness in the stack
 };
 
 // Of a medium that light may travel through. Here the light falls to 1/e within 40 micrometres of it.

@@ -77,7 +77,7 @@ TEST(LongTrees, many_bubbles_end_in_time_and_say_what_the_cut_costs) {
   const auto start = std::chrono::steady_clock::now();
   const auto probed = render::probe(scene, {{0.3, 0, 5}, {0, 0, -1}, false}, wavelengths_nm);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 60);  // 1 s alone on two cores; the bound is for slow machines
+  EXPECT_LT(seconds.count(), 300);  // 1 s alone on two cores; the bound is for slow machines and sanitizers (110 s)
   EXPECT_GT(probed->least_carried, 1e-7);
   EXPECT_GT(probed->cut_carried, 1e-3);
 

@@ -82,7 +82,7 @@ struct LobeMaker {
   }
 
   Lanes reflectance(const scene::ReflectanceTexture& texture) const {
-    float coefficients[3];
+    float coefficients[3] = {};
     texture.coefficients(vertex.at.u, vertex.at.v, coefficients);
     const Lanes* row =
         &tables.reflectances[vertex.comb * tables.reflectance_count + static_cast<std::size_t>(texture.first_channel)];
