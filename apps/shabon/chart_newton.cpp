@@ -15,20 +15,12 @@ namespace {
 constexpr ChartRange default_thickness_nm{0, 2000, {}};
 constexpr std::size_t default_side = 0;  // both
 constexpr int least_parts = 1500;        // of the range: steps of 1 nm over 2000 nm
-constexpr std::size_t most_strips = 24;
 constexpr int width_px = 1000, single_strip_px = 96, strip_px = 46;
-
-// The strips of one side, with the colours that they are made from.
-struct Side {
-  desk::Side side;
-  std::vector<std::vector<color::Xyz>> colors;  // of every angle, and within it of every thickness
-  std::vector<double> factors;                  // of every angle
-};
 
 struct Newton {
   SweptFilm film;
   std::vector<double> thicknesses_nm, incidence_deg;
-  std::vector<Side> sides;
+  std::vector<SideColors> sides;
   std::vector<std::string> notes;  // on the sides
 };
 
@@ -40,13 +32,14 @@ Result<Newton> compute(const ChartOptions& options) {
   Newton newton{std::move(*film), {}, options.angles_deg.values({0}), {}, {}};
   const std::vector<desk::Side> sides = shown_sides(newton.film, options, default_side, newton.notes);
   if (newton.incidence_deg.size() * sides.size() > most_strips)
-    return fail(Failure::usage, fmt::format("--angle: expected at most {} strips", most_strips));
+    return fail(Failure::usage, fmt::format("--angle: expected at most {} strips, got {}", most_strips,
+                                            newton.incidence_deg.size() * sides.size()));
   const ChartRange range = options.thickness_nm.value_or(default_thickness_nm);
   newton.thicknesses_nm = range.values(range.step_or(least_parts));
   if (newton.thicknesses_nm.size() < 2)
     return fail(Failure::usage, "--thickness: expected at least two values, a smaller step");
   for (const desk::Side side : sides) {
-    Side computed{side, {}, {}};
+    SideColors computed{side, {}, {}};
     for (const double angle_deg : newton.incidence_deg) {
       Result<std::vector<color::Xyz>> colors =
           film_colors(newton.film, options, newton.thicknesses_nm, angle_deg, side);
@@ -60,7 +53,7 @@ Result<Newton> compute(const ChartOptions& options) {
 }
 
 // Each colour stands for the thicknesses around its own, half a step to either side.
-io::ChartStrip strip(const Newton& newton, const Side& side, std::size_t angle, const ChartOptions& options) {
+io::ChartStrip strip(const Newton& newton, const SideColors& side, std::size_t angle, const ChartOptions& options) {
   io::ChartStrip strip;
   const std::vector<double>& thicknesses_nm = newton.thicknesses_nm;
   const double half = (thicknesses_nm[1] - thicknesses_nm[0]) / 2;
@@ -93,7 +86,7 @@ constexpr Curve curves[] = {
 };
 
 // At one angle Y and the components of linear sRGB; at several Y alone, a line for each.
-io::ChartPlot curve_plot(const Newton& newton, const Side& side, bool legend) {
+io::ChartPlot curve_plot(const Newton& newton, const SideColors& side, bool legend) {
   io::ChartPlot plot;
   plot.heading = fmt::format("{} light, as it is (the lamp has Y = 1)", name_of(side.side));
   const auto add = [&](std::size_t angle, const Curve& curve, const std::string& label, const std::string& color) {
@@ -125,7 +118,7 @@ io::Chart draw(const Newton& newton, const ChartOptions& options) {
   chart.width_px = width_px;
   chart.height_px = 0;
   std::size_t strips = 0;
-  for (const Side& side : newton.sides) {
+  for (const SideColors& side : newton.sides) {
     for (std::size_t a = 0; a < newton.incidence_deg.size(); ++a, ++strips)
       chart.strips.push_back(strip(newton, side, a, options));
     if (options.curves) chart.further.push_back(curve_plot(newton, side, &side == &newton.sides.front()));
@@ -148,7 +141,7 @@ std::string table(const Newton& newton, const ChartOptions& options) {
   for (const std::string& note : newton.notes) csv += "# " + note + "\n";
   csv += color_comments(options, film_sums) + "side,angle_deg,thickness_nm," + std::string(color_columns) + "\n";
   const Display display = display_of(options);
-  for (const Side& side : newton.sides)
+  for (const SideColors& side : newton.sides)
     for (std::size_t a = 0; a < newton.incidence_deg.size(); ++a)
       for (std::size_t i = 0; i < newton.thicknesses_nm.size(); ++i)
         csv += fmt::format("{},{},{},{}\n", name_of(side.side), format_number(newton.incidence_deg[a]),

@@ -17,8 +17,7 @@ namespace shabon::app {
 namespace {
 
 constexpr std::size_t default_side = 1;  // reflected
-constexpr std::size_t most_strips = 24;
-constexpr int parts = 1000;  // equal in height, from top to bottom
+constexpr int parts = 1000;              // equal in height, from top to bottom
 constexpr int longitudes = 90;
 constexpr int width_px = 1000, plot_px = 380, single_strip_px = 72, strip_px = 46;
 constexpr double visible_share = 1e-3;  // a film that varies less around the bubble is told as the same all around
@@ -31,18 +30,12 @@ struct Profile {
   bool varies = false;  // around the bubble, visibly
 };
 
-struct Side {
-  desk::Side side;
-  std::vector<std::vector<color::Xyz>> colors;  // of every profile, and within it of every height
-  std::vector<double> factors;                  // of every profile
-};
-
 struct Profiles {
   SweptFilm film;
   double incidence_deg = 0;
   std::vector<double> depths;  // below the top, in radii
   std::vector<Profile> profiles;
-  std::vector<Side> sides;
+  std::vector<SideColors> sides;
   std::vector<std::string> notes;  // on the sides
   Diagnostics warnings;
 };
@@ -78,7 +71,8 @@ Result<Profiles> compute(const ChartOptions& options) {
   made.incidence_deg = incidence_deg.front();
   const std::vector<desk::Side> sides = shown_sides(made.film, options, default_side, made.notes);
   if (options.times_s.size() * sides.size() > most_strips)
-    return fail(Failure::usage, fmt::format("--time: expected at most {} strips", most_strips));
+    return fail(Failure::usage, fmt::format("--time: expected at most {} strips, got {}", most_strips,
+                                            options.times_s.size() * sides.size()));
   auto fields = scene::read_thickness(options.model.value_or(default_profile_model), "--model", options.times_s,
                                       api::file_resources({}), &made.warnings);
   if (!fields) return fields.errors();
@@ -86,7 +80,7 @@ Result<Profiles> compute(const ChartOptions& options) {
   for (std::size_t t = 0; t < options.times_s.size(); ++t)
     made.profiles.push_back(profile((*fields)[t], options.times_s[t], made.depths));
   for (const desk::Side side : sides) {
-    Side computed{side, {}, {}};
+    SideColors computed{side, {}, {}};
     for (const Profile& at : made.profiles) {
       Result<std::vector<color::Xyz>> colors =
           film_colors(made.film, options, at.thickness_nm, made.incidence_deg, side);
@@ -121,7 +115,7 @@ std::vector<io::ChartSpan> orders_down(const Profiles& made, const Profile& at) 
 }
 
 // Each colour stands for the heights around its own, half a part to either side.
-io::ChartStrip strip(const Profiles& made, const Side& side, std::size_t at, const ChartOptions& options) {
+io::ChartStrip strip(const Profiles& made, const SideColors& side, std::size_t at, const ChartOptions& options) {
   io::ChartStrip strip;
   strip.low = made.depths.front() - 1.0 / parts;
   strip.high = made.depths.back() + 1.0 / parts;
@@ -171,7 +165,7 @@ io::Chart draw(const Profiles& made, const ChartOptions& options) {
   chart.x = {"depth below the top (radii of the bubble; the bottom is at 2)", made.depths.front(), made.depths.back()};
   chart.y = {"thickness d (nm)", 0, {}};
   chart.width_px = width_px;
-  for (const Side& side : made.sides)
+  for (const SideColors& side : made.sides)
     for (std::size_t i = 0; i < made.profiles.size(); ++i) chart.strips.push_back(strip(made, side, i, options));
   chart.strip_height_px = chart.strips.size() <= 2 ? single_strip_px : strip_px;
   constexpr int around_strip_px = 48;
@@ -209,7 +203,7 @@ std::string table(const Profiles& made, const ChartOptions& options) {
          "side,time_s,polar_angle_deg,height,thickness_nm,least_nm,mean_nm,largest_nm," + std::string(color_columns) +
          "\n";
   const Display display = display_of(options);
-  for (const Side& side : made.sides)
+  for (const SideColors& side : made.sides)
     for (std::size_t t = 0; t < made.profiles.size(); ++t) {
       const Profile& at = made.profiles[t];
       for (std::size_t i = 0; i < made.depths.size(); ++i) {

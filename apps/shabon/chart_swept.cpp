@@ -10,6 +10,7 @@
 #include "shabon/desk/retardation.h"
 #include "shabon/desk/sweep.h"
 #include "stack_input.h"
+#include "streams.h"
 
 namespace shabon::app {
 
@@ -56,10 +57,7 @@ Result<SweptFilm> read_swept_film(const ChartOptions& options) {
 
 Diagnostics film_warnings(const SweptFilm& film, const std::vector<std::string>& notes) {
   Diagnostics warnings = desk::range_warnings(film.stack, std::vector<double>{color::first_nm, color::last_nm});
-  for (const std::string& note : notes) {
-    warnings.emplace_back().severity = Severity::warning;
-    warnings.back().message = note;
-  }
+  for (const std::string& note : notes) warnings.push_back(warning_of(note));
   return warnings;
 }
 

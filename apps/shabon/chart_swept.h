@@ -17,6 +17,16 @@ struct SweptFilm {
   std::size_t layer = 0;  // index into stack.layers
 };
 
+// One side's strips, with the colours that they are made from.
+struct SideColors {
+  desk::Side side;
+  std::vector<std::vector<color::Xyz>> colors;  // of every strip, and along it
+  std::vector<double> factors;                  // of every strip
+};
+
+// More would not be told apart on a page.
+inline constexpr std::size_t most_strips = 24;
+
 // Errors: those of the expression; Failure::usage when it is not clear which layer is meant.
 Result<SweptFilm> read_swept_film(const ChartOptions& options);
 

@@ -80,33 +80,36 @@ Result<FlowSettings> read_settings(const fs::path& path) {
   const auto table = io::read_csv(path);
   if (!table) return table.errors();
   Diagnostics errors;
-  const auto number = [&](std::string_view name) {
+  // A column that is there, with a number that is `fine`; 0 and an error otherwise.
+  const auto number = [&](std::string_view name, const auto& fine, const std::string& expected) {
     const auto values = io::numbers(*table, name);
     if (!values) errors.insert(errors.end(), values.errors().begin(), values.errors().end());
-    return values ? values->front() : 0;
+    if (!values || fine(values->front())) return values ? values->front() : 0;
+    const std::string got = format_number(values->front());
+    errors.push_back(
+        flaw_of(path, Failure::content, fmt::format("{}: expected {}, got {}", name, expected, got)).front());
+    return 0.0;
   };
-  const auto expect = [&](std::string_view name, bool fine, const std::string& what, double got) {
-    if (!fine && errors.empty())
-      errors = flaw_of(path, Failure::content, fmt::format("{}: expected {}, got {}", name, what, format_number(got)));
+  const auto any = [&](std::string_view name) {
+    return number(
+        name, [](double) { return true; }, "");
   };
   const auto whole = [&](std::string_view name, int least) {
     constexpr double most = 1e6;
-    const double value = number(name);
-    const bool fine = value >= least && value <= most;
-    expect(name, fine, fmt::format("{} to {}", least, most), value);
-    return fine ? static_cast<int>(value) : least;
+    const auto fine = [least](double value) { return value >= least && value <= most; };
+    return static_cast<int>(number(name, fine, fmt::format("{} to {}", least, most)));
   };
   FlowSettings settings;
-  settings.frames_per_second = number("frames_per_second");
-  expect("frames_per_second", settings.frames_per_second > 0, "more than 0", settings.frames_per_second);
+  settings.frames_per_second = number(
+      "frames_per_second", [](double value) { return value > 0; }, "more than 0");
   settings.checkpoint_every = whole("checkpoint_every", 1);
   settings.maps.lat_long_width = whole("lat_long_width", 2);
   settings.maps.cube_edge = whole("cube_edge", 2);
-  const double low = number("png_low_nm"), high = number("png_high_nm");
+  const double low = any("png_low_nm"), high = any("png_high_nm");
   if (low >= 0) settings.maps.png_range_nm = {low, high};
-  if (table->column("refractive_index")) settings.maps.refractive_index = number("refractive_index");
+  if (table->column("refractive_index")) settings.maps.refractive_index = any("refractive_index");
   for (const FrameKind& kind : frame_kinds())
-    if (number(kind.name) != 0) settings.kinds.push_back(&kind);
+    if (any(kind.name) != 0) settings.kinds.push_back(&kind);
   if (!errors.empty()) return errors;
   return settings;
 }

@@ -27,12 +27,7 @@ Result<color::Illuminant> read_lamp(const std::string& text) {
       if (error.source.empty() && error.key.empty()) error.key = option;
     return errors;
   }
-  if (!lamp->note.empty()) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.message = lamp->name + ": " + lamp->note;
-    report({warning});
-  }
+  if (!lamp->note.empty()) report({warning_of(lamp->name + ": " + lamp->note)});
   return lamp;
 }
 

@@ -63,11 +63,7 @@ Result<LampTable> read_table(const LampOptions& options, std::vector<std::filesy
       errors.insert(errors.end(), lamp.errors().begin(), lamp.errors().end());
       continue;
     }
-    if (!lamp->note.empty()) {
-      Diagnostic& note = notes.emplace_back();
-      note.severity = Severity::warning;
-      note.message = lamp->note;
-    }
+    if (!lamp->note.empty()) notes.push_back(warning_of(lamp->note));
     table.lamps.push_back(*std::move(lamp));
   }
   if (!errors.empty()) return errors;

@@ -77,10 +77,7 @@ Diagnostics range_warnings(const MediaTable& table) {
     bool repeated = false;
     for (std::size_t j = 0; j < i; ++j) repeated = repeated || table.media[j] == table.media[i];
     std::string note = table.media[i].outside_range_note(table.wavelengths_nm);
-    if (repeated || note.empty()) continue;
-    Diagnostic& warning = warnings.emplace_back();
-    warning.severity = Severity::warning;
-    warning.message = std::move(note);
+    if (!repeated && !note.empty()) warnings.push_back(warning_of(std::move(note)));
   }
   return warnings;
 }

@@ -7,6 +7,7 @@
 #include "shabon/desk/film_spectrum.h"
 #include "shabon/optics/reference/stack.h"
 #include "shabon/optics/stack_expression.h"
+#include "streams.h"
 
 namespace shabon::app {
 
@@ -28,10 +29,7 @@ Result<optics::Stack> read_stack(const StackInput& input) {
 
 Diagnostics power_notes(const optics::Stack& stack, bool transmitted) {
   Diagnostics notes;
-  const auto note = [&](std::string message) {
-    notes.emplace_back().severity = Severity::warning;
-    notes.back().message = std::move(message);
-  };
+  const auto note = [&](std::string message) { notes.push_back(warning_of(std::move(message))); };
   if (!stack.incidence.is_clear())
     note(printable(stack.incidence.name(), 40) +
          " absorbs, and light comes through it: incident and reflected light exchange energy there, so R, T and A are "

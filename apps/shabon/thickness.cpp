@@ -188,13 +188,6 @@ Result<NamedFilm> read_unknown_film(const ThicknessCommand& command) {
   return named;
 }
 
-Diagnostic thickness_note(std::string message) {
-  Diagnostic note;
-  note.severity = Severity::warning;
-  note.message = std::move(message);
-  return note;
-}
-
 std::string verdict_sentence(std::size_t in_95_percent) {
   return in_95_percent == 1
              ? "One of them holds 95 % of the probability."

@@ -52,9 +52,6 @@ Result<NamedFilm> read_unknown_film(const ThicknessCommand& command);
 Result<std::string> thickness_by_color(const ThicknessCommand& command, ThicknessFormat format);
 Result<std::string> thickness_by_spectrum(const ThicknessCommand& command, ThicknessFormat format);
 
-// A warning for standard error.
-Diagnostic thickness_note(std::string message);
-
 // Which of a list to print: the heaviest first, or in its own order, as long as `wanted` says so of an index; at least
 // three and at most `most`. Nothing that weighs is left behind for something lighter.
 template <class Candidates, class Wanted>

@@ -62,7 +62,7 @@ void note_rounding(const ColorFindings& findings, Diagnostics& notes) {
         findings.query.seen[i].white.value_or(color::white_point(findings.query.lamp, *findings.query.observer));
     const double rounding = rounding_difference(findings.told[i], white);
     if (rounding > findings.query.uncertainty)
-      notes.push_back(thickness_note(fmt::format(
+      notes.push_back(warning_of(fmt::format(
           "{}: rounding to bytes alone leaves a difference of {:.2f} open, more than the stated uncertainty",
           findings.told[i].text, rounding)));
   }
@@ -73,8 +73,8 @@ void add_notes(const ColorFindings& findings, Diagnostics& notes) {
   for (const ToldColor& told : findings.told)
     if (told.is_bytes && told.at_the_end)
       notes.push_back(
-          thickness_note(fmt::format("{}: 0 or 255 may stand for anything beyond; the film's colours are {}", told.text,
-                                     findings.command.mapping ? "mapped into sRGB alike" : "clipped alike")));
+          warning_of(fmt::format("{}: 0 or 255 may stand for anything beyond; the film's colours are {}", told.text,
+                                 findings.command.mapping ? "mapped into sRGB alike" : "clipped alike")));
   if (!findings.answer.found && !findings.command.ignore_lightness) {
     double told = 0, reached = 0;
     for (std::size_t i = 0; i < findings.told.size(); ++i)
@@ -82,15 +82,15 @@ void add_notes(const ColorFindings& findings, Diagnostics& notes) {
     constexpr double much_brighter = 1.5;
     if (told > much_brighter * reached)
       notes.push_back(
-          thickness_note(fmt::format("the colour has Y = {:.3f}, the nearest film {:.3f}; for a photograph or "
-                                     "any picture of unknown exposure use --ignore-lightness",
-                                     told, reached)));
+          warning_of(fmt::format("the colour has Y = {:.3f}, the nearest film {:.3f}; for a photograph or "
+                                 "any picture of unknown exposure use --ignore-lightness",
+                                 told, reached)));
   }
   const desk::ColorCandidate& heaviest = findings.answer.candidates[findings.listed.front()];
   if (findings.answer.found && heaviest.level)
-    notes.push_back(thickness_note(level_sentence(heaviest) + ": the colour does not tell which"));
+    notes.push_back(warning_of(level_sentence(heaviest) + ": the colour does not tell which"));
   else if (findings.answer.found && best.at_end)
-    notes.push_back(thickness_note("the nearest thickness is the end of the range; it may go on beyond it"));
+    notes.push_back(warning_of("the nearest thickness is the end of the range; it may go on beyond it"));
 }
 
 void choose_listed(ColorFindings& findings) {

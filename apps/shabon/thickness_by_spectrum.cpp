@@ -31,7 +31,7 @@ double explained(const SpectrumFindings& findings) {
 void note_search(const SpectrumFindings& findings, Diagnostics& notes) {
   const desk::SpectrumAnswer& answer = findings.answer;
   if (answer.search_step_fringes > most_search_fringes)
-    notes.push_back(thickness_note(fmt::format(
+    notes.push_back(warning_of(fmt::format(
         "the ranges are too wide to search completely: steps of {:.2f} fringes, {} would be sure; narrow them, as in "
         "'SiO2 100..300nm'",
         answer.search_step_fringes, format_number(most_search_fringes))));
@@ -40,7 +40,7 @@ void note_search(const SpectrumFindings& findings, Diagnostics& notes) {
     const desk::UnknownFilm& film = findings.film.film;
     for (std::size_t j = 0; j < film.unknowns.size(); ++j)
       if (desk::has_fringes(film, j)) high_nm = std::max(high_nm, film.unknowns[j].high_nm);
-    notes.push_back(thickness_note(
+    notes.push_back(warning_of(
         fmt::format("the wavelengths are too far apart to follow the fringes of films above {} nm; thicker ones may be "
                     "mistaken for thinner ones",
                     format_number(high_nm * most_fringes_between_rows / answer.fringes_between_rows, 3))));
@@ -51,12 +51,12 @@ void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
   const desk::SpectrumAnswer& answer = findings.answer;
   const desk::SpectrumCandidate& best = most_probable(findings);
   if (answer.noise_exceeded)
-    notes.push_back(thickness_note(fmt::format(
+    notes.push_back(warning_of(fmt::format(
         "the residuals are {:.1f} times the stated noise: the film is not quite as described; errors and weights "
         "take the residuals for the noise",
         answer.noise / *findings.command.noise)));
   if (answer.widening > widening_worth_telling)
-    notes.push_back(thickness_note(
+    notes.push_back(warning_of(
         fmt::format("neighbouring residuals are alike, so the film is not quite as described; errors are {:.1f} times "
                     "those of random noise",
                     answer.widening)));
@@ -64,20 +64,20 @@ void note_fit(const SpectrumFindings& findings, Diagnostics& notes) {
   const std::size_t unknowns = best.thickness_nm.size() + (findings.command.ignore_scale ? 1 : 0);
   if (!findings.command.noise && values < unknowns + enough_freedom)
     notes.push_back(
-        thickness_note(fmt::format("{} values for {} unknown{} hardly tell how large their noise is; --noise states it",
-                                   values, unknowns, unknowns == 1 ? "" : "s")));
+        warning_of(fmt::format("{} values for {} unknown{} hardly tell how large their noise is; --noise states it",
+                               values, unknowns, unknowns == 1 ? "" : "s")));
   const double share = explained(findings);
   if (share < least_explained)
     notes.push_back(
-        thickness_note(fmt::format("the best film explains {:.0f} % of the spectrum's variation: is it this "
-                                   "film?",
-                                   100 * std::max(share, 0.0))));
+        warning_of(fmt::format("the best film explains {:.0f} % of the spectrum's variation: is it this "
+                               "film?",
+                               100 * std::max(share, 0.0))));
   for (std::size_t j = 0; j < best.thickness_nm.size(); ++j) {
     const std::string& name = findings.film.names[j];
     if (!best.standard_error_nm[j])
-      notes.push_back(thickness_note(name + ": this spectrum does not determine its thickness"));
+      notes.push_back(warning_of(name + ": this spectrum does not determine its thickness"));
     else if (best.at_end[j])
-      notes.push_back(thickness_note(name + ": the best thickness is the end of the range; it may go on beyond it"));
+      notes.push_back(warning_of(name + ": the best thickness is the end of the range; it may go on beyond it"));
   }
 }
 
@@ -95,10 +95,10 @@ void note_shares(const SpectrumFindings& findings, Diagnostics& notes) {
   for (const desk::MeasuredRow& row : findings.query.measured.rows)
     for (const double share : row.shares) low = std::min(low, share), high = std::max(high, share);
   if (low < least)
-    notes.push_back(thickness_note(
-        fmt::format("a share of {}, below 0: is its baseline subtracted twice?", format_number(low, 4))));
+    notes.push_back(
+        warning_of(fmt::format("a share of {}, below 0: is its baseline subtracted twice?", format_number(low, 4))));
   if (high > most && !findings.command.ignore_scale)
-    notes.push_back(thickness_note(
+    notes.push_back(warning_of(
         fmt::format("a share of {}, above 1: more light than came in; --ignore-scale leaves the calibration open",
                     format_number(high, 4))));
 }
@@ -107,9 +107,9 @@ void note_angles(const SpectrumFindings& findings, Diagnostics& notes) {
   const std::string file = printable(*findings.command.spectrum_file, 100);
   const std::vector<double>& told = findings.command.incidence_deg;
   if (findings.query.measured.has_angles && !told.empty())
-    notes.push_back(thickness_note(file + " has angles of its own; --angle is passed over"));
+    notes.push_back(warning_of(file + " has angles of its own; --angle is passed over"));
   if (!findings.query.measured.has_angles && told.empty())
-    notes.push_back(thickness_note(file + " has no column angle_deg; 0 degrees is assumed (--angle tells another)"));
+    notes.push_back(warning_of(file + " has no column angle_deg; 0 degrees is assumed (--angle tells another)"));
 }
 
 }  // namespace

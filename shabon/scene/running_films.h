@@ -20,8 +20,7 @@ class RunningFilms {
   static Result<RunningFilms> start(const Scene& scene);
 
   // Runs every film on to that time; earlier times change nothing. What a film is then does not depend on the times
-  // asked for before. `progress` is told the share of that time that is
-  // done. Errors as FilmFlow::advance_to().
+  // asked for before. `progress` is told the share of that time that is done. Errors as FilmFlow::advance_to().
   Status advance_to(double time_s, const StopFlag* stop = nullptr, const ProgressReport& progress = {});
 
   // Puts the thickness of this moment into the scene, which is the one of start() or one compiled from it for another
